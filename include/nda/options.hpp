@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "nda/types.hpp"
+
+namespace nda {
+
+/// How the dual function is maximised.
+enum class DualMethod { kBundleTrust, kSubgradient, kVolume, kCoordinate };
+
+/// Which two-dimensional kernel evaluates the dual function.
+enum class Assign2dMethod { kShortestPath, kAuction, kNetworkSimplex };
+
+/// How a component is solved.
+enum class Method {
+  kAuto,        ///< small ones exactly, large ones by relaxation, fixing and branching
+  kRelaxation,  ///< the report's algorithm alone: relaxation and recovery, no branching
+  kExact,       ///< branch and bound from the start
+};
+
+/// Lagrangian relaxation to two dimensions (report, sections 3 and 4).
+struct RelaxationOptions {
+  DualMethod dual_method = DualMethod::kBundleTrust;
+  Assign2dMethod assign2d = Assign2dMethod::kShortestPath;
+  int max_evaluations = 300;          ///< of the dual function of each large component; >= 1
+  int recovery_evaluations = 20;      ///< of each lower-dimensional recovery problem; >= 1
+  int recovery_interval = 10;         ///< recover at every so many evaluations; >= 1
+  double relative_tolerance = 1e-7;   ///< stop when the predicted increase falls below; >= 0
+};
+
+/// Search for good solutions besides the recovery.
+struct SearchOptions {
+  bool local_search = true;     ///< improve every recovered solution
+  int perturbations = 2000;     ///< kicks of the iterated local search per round; >= 0
+};
+
+/// Branch and bound.
+struct BranchOptions {
+  std::size_t exact_arcs = 60;  ///< components of at most so many arcs skip relaxation
+  std::int64_t max_nodes = std::numeric_limits<std::int64_t>::max();  ///< per component; >= 0
+  int node_evaluations = 60;    ///< of the dual function at a node; >= 1
+};
+
+/// What a progress callback sees; sums over all components.
+struct Progress {
+  double seconds = 0;           ///< since the solve began
+  double cost = kInfinity;      ///< of the best known solution
+  double lower_bound = -kInfinity;
+  std::size_t components_done = 0;
+  std::size_t num_components = 0;
+  const char* event = "";       ///< what found it: "greedy", "recovery", "local search", "bound", ...
+};
+
+/// Everything that can be asked of a solve.
+struct Options {
+  Method method = Method::kAuto;
+  double time_limit_s = kInfinity;  ///< obeyed to 5 ms or 1 %; > 0
+  double relative_gap = 0;          ///< stop when (cost - bound) / |cost| is at most this; >= 0
+  int num_threads = 1;              ///< 0 = all cores; the answer does not depend on it
+  std::uint64_t seed = 1;           ///< of the randomised searches
+  RelaxationOptions relaxation;
+  SearchOptions search;
+  BranchOptions branch;
+
+  /// Called on every improvement, never concurrently; return false to stop.
+  std::function<bool(const Progress&)> progress;
+  std::stop_token stop;
+};
+
+/// Throws InputError naming the first option out of range.
+void validate(const Options& options);
+
+/// A named, complete configuration: "realtime", "default", "exact".  Throws InputError otherwise.
+Options preset(const std::string& name);
+
+}  // namespace nda

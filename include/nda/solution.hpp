@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "nda/types.hpp"
+
+namespace nda {
+
+/// Why the solver stopped.  It says nothing of quality: see Solution::proven and the two bounds.
+///
+/// | status         | solutions       | lower_bound, multipliers     | reason        |
+/// |----------------|-----------------|------------------------------|---------------|
+/// | optimal        | the best        | valid, meets the cost        | empty         |
+/// | gap_reached    | good enough     | valid, within the asked gap  | empty         |
+/// | time_limit     | best so far     | valid                        | empty         |
+/// | iteration_limit| best so far     | valid                        | empty         |
+/// | node_limit     | best so far     | valid                        | empty         |
+/// | interrupted    | best so far     | valid                        | empty         |
+/// | infeasible     | none            | bound +inf, no certificate   | who and why   |
+/// | precision_lost | best so far     | valid but cannot meet cost   | what is known |
+///
+/// After a limit `solutions` is empty when no feasible solution was found (possible only where
+/// singletons are forbidden); then cost is +inf and lower_bound still holds.
+enum class Status {
+  kOptimal,
+  kGapReached,
+  kTimeLimit,
+  kIterationLimit,
+  kNodeLimit,
+  kInterrupted,
+  kInfeasible,
+  kPrecisionLost,
+};
+
+/// The name used in files and logs: "optimal", "gap_reached", ...
+const char* to_string(Status status);
+
+/// One feasible solution.
+struct RankedSolution {
+  int rank = 1;                          ///< 1 = best
+  double cost = 0;                       ///< of the arcs and of the singletons of all uncovered indices
+  bool proven = false;                   ///< no better solution of this rank exists
+  std::vector<std::vector<Index>> arcs;  ///< tuples with two or more real indices, lexicographic
+};
+
+/// What happened in one connected component (components in order of their smallest index).
+struct ComponentReport {
+  std::size_t num_arcs = 0;     ///< after the cost shift
+  std::size_t num_indices = 0;  ///< real indices it touches
+  Status status = Status::kOptimal;
+  bool proven = false;
+  double cost = 0;         ///< contribution to the total cost
+  double lower_bound = 0;  ///< on that contribution
+  std::string method;      ///< "enumeration", "assignment", "relaxation", "branch and bound"
+};
+
+/// Counters and times of one solve.  Times are wall seconds.
+struct Stats {
+  double read_seconds = 0;            ///< set by the command line
+  double solve_seconds = 0;
+  std::size_t peak_memory_bytes = 0;  ///< of the process
+  std::int64_t dual_evaluations = 0;  ///< of all components
+  std::int64_t recoveries = 0;        ///< feasible solutions constructed
+  std::int64_t nodes = 0;             ///< of branch and bound
+  std::size_t arcs_after_shift = 0;   ///< arcs that can improve on their singletons
+  std::size_t arcs_after_fixing = 0;  ///< arcs left when reduced-cost fixing ended
+  double certificate_bound = 0;       ///< what the multipliers alone prove
+  bool bound_by_branching = false;    ///< lower_bound exceeds certificate_bound thanks to branching
+};
+
+/// Result of a solve: both bounds, always.  See Status for which fields hold what.
+struct Solution {
+  std::vector<Index> sizes;        ///< M_k of the instance
+  std::size_t num_arcs = 0;        ///< of the instance
+  std::size_t num_components = 0;  ///< with at least one arc after the shift
+  Status status = Status::kInterrupted;
+  bool proven = false;             ///< cost is the optimum (to the tolerance of docs/numerics.md)
+  double cost = kInfinity;         ///< of the best solution; +inf if none
+  double lower_bound = -kInfinity; ///< no solution costs less
+  std::vector<RankedSolution> solutions;  ///< best first
+
+  /// u[k][i-1] for i = 1..M_k: an all-relaxed certificate.  With u of the dummies 0,
+  /// bound = sum u + sum over arcs and singletons of min(0, c_a - sum of u over a)
+  /// holds for every u (report, Theorem 4.1); see nda/check.hpp.
+  std::vector<std::vector<double>> multipliers;
+
+  std::vector<ComponentReport> components;
+  Stats stats;
+  std::string reason;  ///< infeasible: which indices cannot all be covered; precision_lost: what is known
+
+  /// cost - lower_bound; +inf when either is infinite.
+  double gap() const;
+  /// gap / max(1e-9, |cost|).
+  double relative_gap() const;
+};
+
+}  // namespace nda

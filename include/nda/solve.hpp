@@ -1,0 +1,19 @@
+#pragma once
+
+#include "nda/options.hpp"
+#include "nda/problem.hpp"
+#include "nda/solution.hpp"
+
+namespace nda {
+
+/// Solves an N-dimensional assignment problem.
+///
+/// Costs are shifted, the problem is split into connected components, small ones are solved
+/// exactly, large ones by relaxation to two dimensions, recovery, reduced-cost fixing and
+/// branching; the parts are merged.  Both bounds are always reported.  Same problem, seed and
+/// options give the same answer whatever the number of threads, unless a time limit strikes.
+///
+/// Throws InputError only for options out of range; outcomes are statuses.  Thread safe.
+Solution solve(const Problem& problem, const Options& options = {});
+
+}  // namespace nda

@@ -1,0 +1,159 @@
+#include "nda/problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <string>
+
+// A problem is stored as structure of arrays, arcs in lexicographic order: the first two dimensions of
+// consecutive arcs then agree for long stretches, which is what the collapse of eq. (3.3) wants.  Sorting
+// moves one column at a time through a permutation, so that building needs 4 bytes an arc plus one column
+// beyond the problem itself.
+
+namespace nda {
+namespace {
+
+using Columns = std::vector<std::vector<Index>>;
+
+// -1, 0, +1 as tuple a comes before, equals, or comes after tuple b.
+int compare(const Columns& columns, std::size_t a, std::size_t b) {
+  for (const std::vector<Index>& column : columns) {
+    if (column[a] != column[b]) return column[a] < column[b] ? -1 : 1;
+  }
+  return 0;
+}
+
+std::vector<std::uint32_t> sorted_order(const Columns& columns, std::span<const double> costs) {
+  std::vector<std::uint32_t> order(costs.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const int sign = compare(columns, a, b);
+    return sign != 0 ? sign < 0 : (costs[a] != costs[b] ? costs[a] < costs[b] : a < b);
+  });
+  return order;
+}
+
+bool strictly_sorted(const Columns& columns, std::size_t num_arcs) {
+  for (std::size_t a = 1; a < num_arcs; ++a) {
+    if (compare(columns, a - 1, a) >= 0) return false;
+  }
+  return true;
+}
+
+template <typename T>
+void permute(std::vector<T>& values, std::span<const std::uint32_t> order) {
+  std::vector<T> moved(order.size());
+  for (std::size_t a = 0; a < order.size(); ++a) moved[a] = values[order[a]];
+  values = std::move(moved);
+}
+
+int num_real(std::span<const Index> tuple) {
+  return static_cast<int>(
+      std::count_if(tuple.begin(), tuple.end(), [](Index i) { return i != 0; }));
+}
+
+}  // namespace
+
+std::size_t Problem::num_indices() const {
+  return std::accumulate(sizes_.begin(), sizes_.end(), std::size_t{0});
+}
+
+std::vector<Index> Problem::arc(std::size_t a) const {
+  std::vector<Index> tuple;
+  tuple.reserve(indices_.size());
+  for (const std::vector<Index>& column : indices_) tuple.push_back(column[a]);
+  return tuple;
+}
+
+std::optional<std::size_t> Problem::find(std::span<const Index> tuple) const {
+  if (tuple.size() != sizes_.size()) return std::nullopt;
+  std::size_t first = 0;
+  std::size_t last = num_arcs();
+  for (std::size_t k = 0; k < tuple.size(); ++k) {
+    const auto range = std::equal_range(indices_[k].begin() + static_cast<std::ptrdiff_t>(first),
+                                        indices_[k].begin() + static_cast<std::ptrdiff_t>(last),
+                                        tuple[k]);
+    first = static_cast<std::size_t>(range.first - indices_[k].begin());
+    last = static_cast<std::size_t>(range.second - indices_[k].begin());
+  }
+  return first < last ? std::optional(first) : std::nullopt;
+}
+
+ProblemBuilder::ProblemBuilder(std::vector<Index> sizes) {
+  const std::size_t n = sizes.size();
+  if (n < 2 || n > static_cast<std::size_t>(kMaxDimensions)) {
+    throw InputError(std::to_string(n) + " dimensions given, 2 to " +
+                     std::to_string(kMaxDimensions) + " allowed");
+  }
+  problem_.indices_.resize(n);
+  for (const Index size : sizes) {
+    problem_.singleton_costs_.emplace_back(size + std::size_t{1}, 0.0);
+    singleton_given_.emplace_back(size + std::size_t{1}, false);
+  }
+  problem_.sizes_ = std::move(sizes);
+}
+
+void ProblemBuilder::reserve(std::size_t num_arcs) {
+  for (std::vector<Index>& column : problem_.indices_) column.reserve(num_arcs);
+  problem_.costs_.reserve(num_arcs);
+}
+
+void ProblemBuilder::add_arc(std::span<const Index> tuple, double cost) {
+  const std::size_t n = problem_.sizes_.size();
+  if (tuple.size() != n) {
+    throw InputError("tuple has " + std::to_string(tuple.size()) + " indices, the problem " +
+                     std::to_string(n) + " dimensions");
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    if (tuple[k] > problem_.sizes_[k]) {
+      throw InputError("index " + std::to_string(tuple[k]) + " of dimension " +
+                       std::to_string(k + 1) + " exceeds " + std::to_string(problem_.sizes_[k]));
+    }
+  }
+  if (std::isnan(cost) || cost == -kInfinity) {
+    throw InputError(std::string("cost is ") + (std::isnan(cost) ? "NaN" : "-inf"));
+  }
+  const int real = num_real(tuple);
+  if (real == 0) throw InputError("all indices of the tuple are 0");
+  if (real == 1) {
+    const std::size_t k = static_cast<std::size_t>(
+        std::find_if(tuple.begin(), tuple.end(), [](Index i) { return i != 0; }) - tuple.begin());
+    const Index i = tuple[k];
+    double& singleton = problem_.singleton_costs_[k][i];
+    if (singleton_given_[k][i]) ++problem_.num_duplicates_;
+    singleton = singleton_given_[k][i] ? std::min(singleton, cost) : cost;
+    singleton_given_[k][i] = true;
+    return;
+  }
+  if (cost == kInfinity) {
+    ++problem_.num_forbidden_;
+    return;
+  }
+  if (problem_.costs_.size() == std::numeric_limits<std::uint32_t>::max()) {
+    throw InputError("more than 4294967295 arcs");
+  }
+  for (std::size_t k = 0; k < n; ++k) problem_.indices_[k].push_back(tuple[k]);
+  problem_.costs_.push_back(cost);
+}
+
+Problem ProblemBuilder::build() && {
+  Columns& columns = problem_.indices_;
+  std::vector<double>& costs = problem_.costs_;
+  if (!strictly_sorted(columns, costs.size())) {
+    std::vector<std::uint32_t> order = sorted_order(columns, costs);
+    const auto repeats = std::unique(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return compare(columns, a, b) == 0;
+    });
+    problem_.num_duplicates_ += static_cast<std::size_t>(order.end() - repeats);
+    order.erase(repeats, order.end());
+    for (std::vector<Index>& column : columns) permute(column, order);
+    permute(costs, order);
+  } else {
+    for (std::vector<Index>& column : columns) column.shrink_to_fit();
+    costs.shrink_to_fit();
+  }
+  return std::move(problem_);
+}
+
+}  // namespace nda
