@@ -4,6 +4,7 @@ namespace nda::cli {
 namespace {
 
 constexpr Command kCommands[] = {
+    {"check", "judge a solution with independent code", declare_check},
     {"convert", "read a problem in one format and write it in another", declare_convert},
 };
 

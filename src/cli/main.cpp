@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -5,6 +6,8 @@
 #include <iostream>
 #include <new>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "cli/command.hpp"
@@ -49,6 +52,12 @@ int finish_parsing(const CLI::App& parser, const CLI::ParseError& error) {
   return fail(std::string(error.what()) + " (nda --help lists the commands)");
 }
 
+bool is_command(std::string_view name) {
+  return std::any_of(commands().begin(), commands().end(), [&](const Command& command) {
+    return name == command.name;
+  });
+}
+
 int main_program(int argc, char** argv) {
   CLI::App parser("N-dimensional assignment with a bound anyone can check.", "nda");
   parser.set_version_flag("--version", std::string("nda ") + kVersion);
@@ -63,7 +72,7 @@ int main_program(int argc, char** argv) {
     CLI::App* subcommand = parser.add_subcommand(command.name, command.summary);
     actions.emplace_back(subcommand, command.declare(*subcommand));
   }
-  if (argc > 1 && argv[1][0] != '-' && parser.get_subcommand_no_throw(argv[1]) == nullptr) {
+  if (argc > 1 && argv[1][0] != '-' && !is_command(argv[1])) {
     return fail("unknown command '" + std::string(argv[1]) + "' (nda --help lists the commands)");
   }
   try {
