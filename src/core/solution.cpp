@@ -24,6 +24,9 @@ double Solution::gap() const {
   return std::max(0.0, cost - lower_bound);
 }
 
-double Solution::relative_gap() const { return gap() / std::max(1e-9, std::abs(cost)); }
+double Solution::relative_gap() const {
+  const double absolute = gap();
+  return std::isinf(absolute) ? absolute : absolute / std::max(1e-9, std::abs(cost));
+}
 
 }  // namespace nda
