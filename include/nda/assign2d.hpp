@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -16,7 +17,7 @@ namespace nda {
 ///
 /// Rows and columns count from 0.  An outside cost of +inf means "must be assigned"; a pair that is
 /// absent, or of cost +inf, is forbidden.  Columns ascend within a row and do not repeat.
-/// All other costs are finite; nothing is checked here (see validate()).
+/// All other costs are finite; solvers check nothing (see validate()).
 struct Assign2dProblem {
   std::span<const std::uint32_t> row_start;  ///< num_rows + 1 entries
   std::span<const std::uint32_t> column;     ///< of each pair
@@ -47,5 +48,60 @@ struct Assign2dResult {
   std::vector<std::uint32_t> hall_rows;
   std::vector<std::uint32_t> hall_columns;
 };
+
+/// Which algorithm solves it.  All are exact; docs/assign2d.md says which one when.
+enum class Assign2dMethod {
+  kShortestPath,    ///< shortest augmenting paths, sparse or dense as the problem is
+  kAuction,         ///< forward/reverse auction with epsilon scaling
+  kNetworkSimplex,  ///< LEMON's network simplex: the slow reference
+};
+
+/// Solves many problems one after the other, as a dual loop does.
+///
+/// Memory is kept between calls: once a shape has been seen, kShortestPath and kAuction allocate
+/// nothing (kNetworkSimplex builds LEMON's graph anew each time).  An object is used by one thread
+/// at a time; nothing but memory, and an index of the last sparsity pattern, is remembered.
+class Assign2dSolver {
+ public:
+  virtual ~Assign2dSolver() = default;
+
+  /// Solves from scratch.  What `result` held is replaced, its memory is reused.
+  void solve(const Assign2dProblem& problem, Assign2dResult& result) {
+    do_solve(problem, result, false);
+  }
+
+  /// Solves from what is in `result`: v become the starting prices and column_of_row is preferred
+  /// where it is still best.  Any v is a valid start, one of a similar problem is a fast one.
+  /// The optimum is the same as that of solve(), which is called where `result` is infeasible, of
+  /// another shape, or holds prices that are not finite or far beyond the costs of `problem`.
+  /// kNetworkSimplex always starts from scratch.
+  void solve_warm(const Assign2dProblem& problem, Assign2dResult& result) {
+    do_solve(problem, result, true);
+  }
+
+ private:
+  virtual void do_solve(const Assign2dProblem& problem, Assign2dResult& result, bool warm) = 0;
+};
+
+std::unique_ptr<Assign2dSolver> make_assign2d_solver(Assign2dMethod method);
+
+/// Solves one problem.  Throws InputError where validate() does.
+Assign2dResult assign2d(const Assign2dProblem& problem,
+                        Assign2dMethod method = Assign2dMethod::kShortestPath);
+
+/// Solves one dense problem as scipy's linear_sum_assignment does: every member of the smaller side is
+/// assigned, of a square problem every row and column; surplus members of the larger side are free
+/// of charge.
+///
+/// @param cost_row_major  num_rows * num_columns costs; +inf forbids a pair.
+/// Throws InputError for another size, and for costs NaN or -inf.
+Assign2dResult assign2d(std::span<const double> cost_row_major,
+                        std::uint32_t num_rows,
+                        std::uint32_t num_columns,
+                        Assign2dMethod method = Assign2dMethod::kShortestPath);
+
+/// Throws InputError naming the first entry that breaks the contract of Assign2dProblem: sizes that
+/// disagree, rows out of order, columns out of range or order, costs NaN or -inf.
+void validate(const Assign2dProblem& problem);
 
 }  // namespace nda

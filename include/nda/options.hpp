@@ -7,15 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "nda/assign2d.hpp"
 #include "nda/types.hpp"
 
 namespace nda {
 
 /// How the dual function is maximised.
 enum class DualMethod { kBundleTrust, kSubgradient, kVolume, kCoordinate };
-
-/// Which two-dimensional kernel evaluates the dual function.
-enum class Assign2dMethod { kShortestPath, kAuction, kNetworkSimplex };
 
 /// How a component is solved.
 enum class Method {
@@ -27,7 +25,7 @@ enum class Method {
 /// Lagrangian relaxation to two dimensions (report, sections 3 and 4).
 struct RelaxationOptions {
   DualMethod dual_method = DualMethod::kBundleTrust;
-  Assign2dMethod assign2d = Assign2dMethod::kShortestPath;
+  Assign2dMethod assign2d = Assign2dMethod::kShortestPath;  ///< evaluates the dual function
   int max_evaluations = 300;          ///< of the dual function of each large component; >= 1
   int recovery_evaluations = 20;      ///< of each lower-dimensional recovery problem; >= 1
   int recovery_interval = 10;         ///< recover at every so many evaluations; >= 1

@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "core/shift.hpp"
+#include "nda/problem.hpp"
 #include "nda/types.hpp"
 
 namespace nda::core {
@@ -27,6 +29,10 @@ struct Component {
   std::vector<std::vector<Index>> indices;   ///< [k][a], 0 = dummy; arcs in lexicographic order
   std::vector<double> costs;                 ///< shifted cost c'[a]
 
+  /// Where an arc came from: its number in the problem or component that was cut first; empty if this
+  /// one was not cut out of another.
+  std::vector<ArcId> arc_origin;
+
   /// Where a slot came from: dimension and index in the problem.
   std::vector<std::uint8_t> dimensions;      ///< [k]: dimension of the problem
   std::vector<Index> origin;                 ///< [slot]: index in the problem, 0 for dummies
@@ -45,24 +51,63 @@ struct Component {
   }
 };
 
-/// Sets sizes and offset, and empties the rest.
-inline Component make_component(std::vector<Index> sizes) {
-  Component component;
-  component.sizes = std::move(sizes);
-  std::uint32_t next = 0;
-  for (const Index size : component.sizes) {
-    component.offset.push_back(next);
-    next += size + 1;
-  }
-  component.indices.resize(component.sizes.size());
-  return component;
+/// A feasible choice of arcs of a component and its shifted cost; empty = everything uncovered, cost 0.
+struct Packing {
+  std::vector<ArcId> arcs;
+  double cost = 0;
+};
+
+/// A component of these sizes with offsets set, without arcs; slots stand for themselves.
+Component make_component(std::vector<Index> sizes);
+
+/// Appends an arc given by its indices (num_dimensions() entries); arcs must come in lexicographic order.
+void append_arc(Component& component, std::span<const Index> tuple, double cost);
+
+/// Cuts components out of a problem or a component; keeps its scratch memory between calls.
+class Cutter {
+ public:
+  /// Keeps the arcs of `arcs` (ascending) and the indices they use, renumbered in order; dimensions
+  /// without any are dropped.  arc_origin, dimensions and origin are carried along.
+  /// Cost: O(arcs * N + indices log indices).
+  Component cut(const Component& source, std::span<const ArcId> arcs);
+
+  /// The same out of a problem, with shifted costs; arc_origin are arcs of the problem.
+  Component cut(const Problem& source, const Shift& shift, std::span<const ArcId> arcs);
+
+ private:
+  template <typename Source>
+  Component cut_from(const Source& source, std::span<const ArcId> arcs);
+
+  std::vector<Index> number_;        // [slot of the source]: new index, 0 between calls
+  std::vector<std::uint32_t> used_;  // slots of the source
+};
+
+/// Number of arc a where it came from first: in the problem, if the component was cut out of one.
+inline ArcId original_arc(const Component& component, ArcId a) {
+  return component.arc_origin.empty() ? a : component.arc_origin[a];
 }
+
+/// The inverse: numbers in `component` of these original arcs, ascending.  All must be there.
+std::vector<ArcId> arcs_from_original(const Component& component, std::vector<ArcId> originals);
+
+/// Values by slot of `whole`, restricted to the slots of `part`, which was cut out of it.
+std::vector<double> restrict_slots(const Component& whole, std::span<const double> values,
+                                   const Component& part);
 
 /// c'[a] - sum of u over the slots of a.
 inline double reduced_cost(const Component& component, std::span<const double> u, ArcId a) {
   double r = component.costs[a];
   for (int k = 0; k < component.num_dimensions(); ++k) r -= u[component.slot(k, a)];
   return r;
+}
+
+/// Calls visit(slot) for every real index of arc a.
+template <typename Visit>
+void for_each_slot(const Component& component, ArcId a, Visit&& visit) {
+  for (int k = 0; k < component.num_dimensions(); ++k) {
+    const Index i = component.index(k, a);
+    if (i != 0) visit(component.offset[static_cast<std::size_t>(k)] + i);
+  }
 }
 
 }  // namespace nda::core

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "assign2d/sparse_solver.hpp"
+
+namespace nda::lap {
+
+/// LEMON's network simplex: slow, and as unlike the other methods as can be.
+class NetworkSimplexSolver final : public Assign2dSolver {
+ private:
+  void do_solve(const Assign2dProblem& problem, Assign2dResult& result, bool warm) override;
+
+  SparseSolver finisher_;
+};
+
+}  // namespace nda::lap

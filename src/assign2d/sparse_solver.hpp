@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "assign2d/side.hpp"
+#include "assign2d/sparse_paths.hpp"
+#include "assign2d/transpose.hpp"
+
+namespace nda::lap {
+
+/// Shortest augmenting paths on the pairs as they are stored.
+class SparseSolver final : public Assign2dSolver {
+ private:
+  void do_solve(const Assign2dProblem& problem, Assign2dResult& result, bool warm) override;
+  void match_tight_pairs(const Assign2dProblem& problem, Assign2dResult& result);
+
+  SparsePaths paths_;
+  Transpose transpose_;
+  std::vector<std::uint32_t> pair_of_row_;
+};
+
+}  // namespace nda::lap

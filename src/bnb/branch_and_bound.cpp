@@ -1,0 +1,227 @@
+#include "bnb/branch_and_bound.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+// Lagrangian branch and bound in the way of Fisher (1981), with two habits from the study of set packing: a
+// node is reduced until nothing more follows (fixing at zero and at one, components), and it is branched on a
+// row, not on a column.  Splitting inside the tree is what keeps it small: tracking components fall apart as
+// soon as a few arcs are decided.
+
+namespace nda::bnb {
+namespace {
+
+using core::ArcId;
+using core::Component;
+using core::Packing;
+
+constexpr std::uint32_t kNone = ~std::uint32_t{0};
+// A part that keeps more than this share of its node's arcs is branched on without being bounded again.
+constexpr double kWholeShare = 0.8;
+
+double sum(std::span<const double> u) { return std::accumulate(u.begin(), u.end(), 0.0); }
+
+Packing to_original(const Component& component, const Packing& packing) {
+  Packing original = packing;
+  for (ArcId& a : original.arcs) a = core::original_arc(component, a);
+  return original;
+}
+
+void append(Packing& packing, const Packing& more) {
+  packing.arcs.insert(packing.arcs.end(), more.arcs.begin(), more.arcs.end());
+  packing.cost += more.cost;
+}
+
+// One use of the branching index: an arc, or none (kNone), and what it costs in penalty.
+struct Use {
+  double penalty;
+  ArcId arc;
+};
+
+class BranchAndBound {
+ public:
+  BranchAndBound(const Collaborators& collaborators, const BranchLimits& limits)
+      : collaborators_(collaborators), limits_(limits) {}
+
+  SearchResult solve(const Component& component, std::span<const double> warm, double cutoff) {
+    if (component.num_arcs() == 0) return empty_component(cutoff);
+    if (component.num_arcs() <= limits_.enumeration_arcs) {
+      SearchResult result = enumerate_part(component, warm, cutoff);
+      if (result.complete || stopped()) return result;
+    }
+    ++nodes_;
+    SearchResult result;
+    if (stopped()) {
+      result.lower = sum(warm);
+      return result;
+    }
+    const NodeBound bound = collaborators_.bound(component, warm, cutoff);
+    if (bound.packing.cost < cutoff) accept(result, to_original(component, bound.packing), cutoff);
+    if (bound.lower >= cutoff) return finish(result, cutoff, kInfinity);
+    const Reduction reduction = collaborators_.reduce(component, bound, cutoff);
+    const bool whole = reduction.taken.arcs.empty() && reduction.parts.size() == 1 &&
+                       static_cast<double>(reduction.parts[0].num_arcs()) >
+                           kWholeShare * static_cast<double>(component.num_arcs());
+    SearchResult rest = whole ? branch(reduction.parts[0], reduction.u[0], cutoff)
+                              : solve_parts(reduction, cutoff);
+    if (rest.found) accept(result, std::move(rest.best), cutoff);
+    return finish(result, cutoff, rest.complete ? kInfinity : rest.lower);
+  }
+
+  std::int64_t nodes() const { return nodes_; }
+
+ private:
+  bool stopped() const { return nodes_ >= limits_.max_nodes || limits_.deadline.reached(); }
+
+  static SearchResult empty_component(double cutoff) {
+    SearchResult result;
+    result.complete = true;
+    result.found = 0 < cutoff;
+    result.lower = std::min(0.0, cutoff);
+    return result;
+  }
+
+  SearchResult enumerate_part(const Component& component, std::span<const double> u, double cutoff) {
+    const std::int64_t limit = std::min(limits_.enumeration_nodes, limits_.max_nodes - nodes_);
+    SearchResult result = enumerate(component, u, cutoff, limit, limits_.deadline);
+    nodes_ += result.nodes;
+    if (result.found) {
+      result.best = to_original(component, result.best);
+      if (result.complete) result.lower = result.best.cost - limits_.error;
+    }
+    return result;
+  }
+
+  void accept(SearchResult& result, Packing packing, double& cutoff) const {
+    result.found = true;
+    result.best = std::move(packing);
+    cutoff = result.best.cost - limits_.margin;
+  }
+
+  // open: least lower bound of what was left unexplored, +inf if nothing.
+  SearchResult finish(SearchResult& result, double cutoff, double open) const {
+    result.complete = open == kInfinity || open >= cutoff;
+    const double proven = result.found ? result.best.cost - limits_.error : cutoff;
+    result.lower = result.complete ? proven : std::min(proven, open);
+    return std::move(result);
+  }
+
+  // Parts are independent: each is searched below what the bounds of the others leave of the cutoff.
+  SearchResult solve_parts(const Reduction& reduction, double cutoff) {
+    const std::size_t num_parts = reduction.parts.size();
+    std::vector<double> lower;
+    for (const std::vector<double>& u : reduction.u) lower.push_back(sum(u));
+    double total = std::accumulate(lower.begin(), lower.end(), reduction.taken.cost);
+    std::vector<std::size_t> order(num_parts);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return reduction.parts[a].num_arcs() < reduction.parts[b].num_arcs();
+    });
+
+    SearchResult result;
+    Packing packing = reduction.taken;
+    bool all_found = true;
+    bool all_complete = true;
+    for (const std::size_t p : order) {
+      if (total >= cutoff) return finish(result, cutoff, kInfinity);
+      const double budget = cutoff - (total - lower[p]);
+      const SearchResult part = solve(reduction.parts[p], reduction.u[p], budget);
+      if (part.complete && !part.found) return finish(result, cutoff, kInfinity);
+      const double proven = std::max(lower[p], std::min(part.lower, budget));
+      total += proven - lower[p];
+      lower[p] = proven;
+      all_complete = all_complete && part.complete;
+      all_found = all_found && part.found;
+      if (part.found) append(packing, part.best);
+    }
+    if (all_found && packing.cost < cutoff) accept(result, std::move(packing), cutoff);
+    return finish(result, cutoff, all_complete ? kInfinity : total);
+  }
+
+  SearchResult branch(const Component& component, std::span<const double> u, double cutoff) {
+    const double lower = sum(u);
+    SearchResult result;
+    double open = kInfinity;
+    const std::uint32_t slot = choose_slot(component, u, cutoff - lower);
+    // Without a paying index the packing that takes nothing costs sum u = 0 and is the best.
+    if (slot == kNone) {
+      if (0 < cutoff) accept(result, Packing{}, cutoff);
+      return finish(result, cutoff, kInfinity);
+    }
+    for (const Use& use : uses_of(component, u, slot)) {
+      if (lower + use.penalty >= cutoff) break;
+      const SearchResult child = solve_child(component, u, slot, use.arc, cutoff);
+      const double cost = use.arc == kNone ? 0.0 : component.costs[use.arc];
+      if (!child.complete) open = std::min(open, std::max(lower + use.penalty, cost + child.lower));
+      if (!child.found) continue;
+      Packing packing = child.best;
+      packing.cost += cost;
+      if (use.arc != kNone) packing.arcs.push_back(core::original_arc(component, use.arc));
+      if (packing.cost < cutoff) accept(result, std::move(packing), cutoff);
+    }
+    return finish(result, cutoff, open);
+  }
+
+  // What is left of the component once `slot` is covered by `arc`, or left uncovered (kNone).
+  SearchResult solve_child(const Component& component, std::span<const double> u, std::uint32_t slot,
+                           ArcId arc, double cutoff) {
+    std::vector<bool> covered(component.num_slots(), false);
+    covered[slot] = true;
+    if (arc != kNone) core::for_each_slot(component, arc, [&](std::uint32_t s) { covered[s] = true; });
+    std::vector<ArcId> live;
+    for (ArcId a = 0; a < component.num_arcs(); ++a) {
+      bool hit = false;
+      core::for_each_slot(component, a, [&](std::uint32_t s) { hit = hit || covered[s]; });
+      if (!hit) live.push_back(a);
+    }
+    const Component child = cutter_.cut(component, live);
+    const std::vector<double> child_u = core::restrict_slots(component, u, child);
+    return solve(child, child_u, cutoff - (arc == kNone ? 0.0 : component.costs[arc]));
+  }
+
+  static std::vector<Use> uses_of(const Component& component, std::span<const double> u,
+                                  std::uint32_t slot) {
+    std::vector<Use> uses = {{-u[slot], kNone}};
+    for (ArcId a = 0; a < component.num_arcs(); ++a) {
+      bool on_slot = false;
+      core::for_each_slot(component, a, [&](std::uint32_t s) { on_slot = on_slot || s == slot; });
+      if (on_slot) uses.push_back({std::max(0.0, core::reduced_cost(component, u, a)), a});
+    }
+    std::stable_sort(uses.begin(), uses.end(),
+                     [](const Use& a, const Use& b) { return a.penalty < b.penalty; });
+    return uses;
+  }
+
+  // The index with u < 0 and the fewest uses affordable within `slack`.
+  static std::uint32_t choose_slot(const Component& component, std::span<const double> u, double slack) {
+    std::vector<std::uint32_t> uses(component.num_slots(), 0);
+    for (ArcId a = 0; a < component.num_arcs(); ++a) {
+      if (core::reduced_cost(component, u, a) >= slack) continue;
+      core::for_each_slot(component, a, [&](std::uint32_t s) { ++uses[s]; });
+    }
+    std::uint32_t best = kNone;
+    for (std::uint32_t s = 0; s < uses.size(); ++s) {
+      if (u[s] >= 0) continue;
+      uses[s] += -u[s] < slack ? 1 : 0;
+      if (best == kNone || uses[s] < uses[best] || (uses[s] == uses[best] && u[s] < u[best])) best = s;
+    }
+    return best;
+  }
+
+  const Collaborators& collaborators_;
+  const BranchLimits& limits_;
+  core::Cutter cutter_;
+  std::int64_t nodes_ = 0;
+};
+
+}  // namespace
+
+SearchResult branch_and_bound(const Component& component, std::span<const double> u, double cutoff,
+                              const Collaborators& collaborators, const BranchLimits& limits) {
+  BranchAndBound search(collaborators, limits);
+  SearchResult result = search.solve(component, u, cutoff);
+  result.nodes = search.nodes();
+  return result;
+}
+
+}  // namespace nda::bnb

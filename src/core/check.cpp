@@ -1,0 +1,218 @@
+#include "nda/check.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <string>
+
+#include "core/double_double.hpp"
+
+// The checker knows the problem and the solution, nothing of how it was found.  Sums are kept in
+// double-double; the certificate is then rounded downwards by a bound on all its rounding errors:
+// each of the T additions errs by at most 2^-104 of a partial sum, no partial sum exceeds the sum S of the
+// absolute values of all terms, so the whole errs by less than T 2^-104 S.
+
+namespace nda {
+namespace {
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.12g", value);
+  return text;
+}
+
+std::string tuple_text(const std::vector<Index>& tuple) {
+  std::string text = "(";
+  for (const Index i : tuple) text += (text.size() > 1 ? " " : "") + std::to_string(i);
+  return text + ")";
+}
+
+bool close(double a, double b) {
+  if (a == b) return true;
+  return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b));
+}
+
+// Walks one ranked solution: marks covered indices, sums the cost, reports what is wrong.
+class SolutionWalk {
+ public:
+  SolutionWalk(const Problem& problem, std::vector<std::string>& faults)
+      : problem_(problem), faults_(faults) {
+    for (const Index size : problem.sizes()) covered_.emplace_back(size + std::size_t{1}, false);
+  }
+
+  void arc(const std::vector<Index>& tuple) {
+    const auto found = problem_.find(tuple);
+    if (!found) return fault("arc " + tuple_text(tuple) + " is not in the problem");
+    add(problem_.costs()[*found]);
+    for (std::size_t k = 0; k < tuple.size(); ++k) {
+      if (tuple[k] == 0) continue;
+      if (covered_[k][tuple[k]]) fault(place(k, tuple[k]) + " is used twice");
+      covered_[k][tuple[k]] = true;
+    }
+  }
+
+  void uncovered() {
+    for (std::size_t k = 0; k < covered_.size(); ++k) {
+      const auto costs = problem_.singleton_costs(static_cast<int>(k));
+      for (std::size_t i = 1; i < covered_[k].size(); ++i) {
+        if (covered_[k][i]) continue;
+        if (costs[i] == kInfinity) fault(place(k, i) + " is uncovered and its singleton forbidden");
+        else add(costs[i]);
+      }
+    }
+  }
+
+  bool feasible() const { return feasible_; }
+  double cost() const { return sum_.high(); }
+  double magnitude() const { return magnitude_; }
+
+ private:
+  static std::string place(std::size_t k, std::size_t i) {
+    return "index " + std::to_string(i) + " of dimension " + std::to_string(k + 1);
+  }
+  void add(double cost) {
+    sum_.add(cost);
+    magnitude_ += std::abs(cost);
+  }
+  void fault(std::string sentence) {
+    feasible_ = false;
+    faults_.push_back(std::move(sentence));
+  }
+
+  const Problem& problem_;
+  std::vector<std::string>& faults_;
+  std::vector<std::vector<bool>> covered_;
+  core::DoubleDouble sum_;
+  double magnitude_ = 0;
+  bool feasible_ = true;
+};
+
+void check_solutions(const Problem& problem, const Solution& solution, CheckReport& report) {
+  report.feasible = report.cost_right = true;
+  for (const RankedSolution& ranked : solution.solutions) {
+    SolutionWalk walk(problem, report.faults);
+    for (const std::vector<Index>& tuple : ranked.arcs) walk.arc(tuple);
+    walk.uncovered();
+    report.feasible = report.feasible && walk.feasible();
+    const bool right = std::abs(walk.cost() - ranked.cost) <= 1e-12 * walk.magnitude() ||
+                       close(walk.cost(), ranked.cost);
+    if (!right) {
+      report.faults.push_back("solution " + std::to_string(ranked.rank) + " states cost " +
+                              number(ranked.cost) + ", its arcs cost " + number(walk.cost()));
+    }
+    report.cost_right = report.cost_right && right;
+    if (&ranked == &solution.solutions.front()) report.cost = walk.cost();
+  }
+  const double stated = solution.solutions.empty() ? kInfinity : solution.solutions.front().cost;
+  if (stated != solution.cost) {
+    report.cost_right = false;
+    report.faults.push_back("cost " + number(solution.cost) + " is not that of the first solution, " +
+                            number(stated));
+  }
+}
+
+bool multipliers_fit(const Problem& problem, const std::vector<std::vector<double>>& multipliers,
+                     std::vector<std::string>& faults) {
+  if (multipliers.size() != static_cast<std::size_t>(problem.num_dimensions())) {
+    faults.push_back("multipliers of " + std::to_string(multipliers.size()) +
+                     " dimensions, the problem has " + std::to_string(problem.num_dimensions()));
+    return false;
+  }
+  for (std::size_t k = 0; k < multipliers.size(); ++k) {
+    if (multipliers[k].size() != problem.sizes()[k]) {
+      faults.push_back("dimension " + std::to_string(k + 1) + " has " +
+                       std::to_string(multipliers[k].size()) + " multipliers, not " +
+                       std::to_string(problem.sizes()[k]));
+      return false;
+    }
+    for (const double u : multipliers[k]) {
+      if (!std::isfinite(u)) {
+        faults.push_back("a multiplier of dimension " + std::to_string(k + 1) + " is not finite");
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+void check_bound(const Problem& problem, const Solution& solution, CheckReport& report) {
+  if (solution.status == Status::kInfeasible) {
+    report.bound_right = report.bound_by_branching = true;
+    return;
+  }
+  if (!multipliers_fit(problem, solution.multipliers, report.faults)) return;
+  report.certificate_bound = certificate_bound(problem, solution.multipliers);
+  report.bound_right = true;
+  if (solution.lower_bound <= report.certificate_bound ||
+      close(solution.lower_bound, report.certificate_bound)) {
+    return;
+  }
+  report.bound_by_branching = solution.stats.bound_by_branching;
+  if (!report.bound_by_branching) {
+    report.bound_right = false;
+    report.faults.push_back("lower bound " + number(solution.lower_bound) +
+                            " is stated, the multipliers prove only " +
+                            number(report.certificate_bound));
+  } else if (!solution.solutions.empty() && solution.lower_bound > report.cost &&
+             !close(solution.lower_bound, report.cost)) {
+    report.bound_right = false;
+    report.faults.push_back("lower bound " + number(solution.lower_bound) + " exceeds the cost " +
+                            number(report.cost));
+  }
+}
+
+}  // namespace
+
+CheckReport check(const Problem& problem, const Solution& solution) {
+  CheckReport report;
+  if (!std::equal(solution.sizes.begin(), solution.sizes.end(), problem.sizes().begin(),
+                  problem.sizes().end())) {
+    report.faults.push_back("the solution is of a problem of other sizes");
+    return report;
+  }
+  check_solutions(problem, solution, report);
+  check_bound(problem, solution, report);
+  return report;
+}
+
+double certificate_bound(const Problem& problem,
+                         const std::vector<std::vector<double>>& multipliers) {
+  core::DoubleDouble bound;
+  double magnitude = 0;
+  const auto add = [&](double term) {
+    bound.add(term);
+    magnitude += std::abs(term);
+  };
+  const std::size_t n = multipliers.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto singletons = problem.singleton_costs(static_cast<int>(k));
+    for (std::size_t i = 1; i < singletons.size(); ++i) {
+      const double u = multipliers[k][i - 1];
+      add(u);
+      if (singletons[i] < u) {
+        add(singletons[i]);
+        add(-u);
+      }
+    }
+  }
+  for (std::size_t a = 0; a < problem.num_arcs(); ++a) {
+    core::DoubleDouble reduced(problem.costs()[a]);
+    double size = std::abs(problem.costs()[a]);
+    for (std::size_t k = 0; k < n; ++k) {
+      const Index i = problem.indices(static_cast<int>(k))[a];
+      if (i == 0) continue;
+      reduced.add(-multipliers[k][i - 1]);
+      size += std::abs(multipliers[k][i - 1]);
+    }
+    if (!reduced.negative()) continue;
+    add(reduced.high());
+    add(reduced.low());
+    magnitude += size;
+  }
+  const double terms = static_cast<double>(problem.num_arcs() * (n + 2) + 3 * problem.num_indices());
+  const double error = terms * 0x1p-100 * magnitude;
+  bound.add(-error);
+  return std::nextafter(bound.high(), -kInfinity);
+}
+
+}  // namespace nda

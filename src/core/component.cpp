@@ -1,0 +1,142 @@
+#include "core/component.hpp"
+
+#include <algorithm>
+
+namespace nda::core {
+namespace {
+
+// What a Cutter cuts from: dimensions, slots, columns and costs.
+struct ComponentSource {
+  const Component& component;
+
+  std::size_t num_dimensions() const { return component.sizes.size(); }
+  std::size_t num_slots() const { return component.num_slots(); }
+  std::uint32_t offset(std::size_t k) const { return component.offset[k]; }
+  std::span<const Index> column(std::size_t k) const { return component.indices[k]; }
+  double cost(ArcId a) const { return component.costs[a]; }
+  ArcId arc_origin(ArcId a) const { return original_arc(component, a); }
+  std::uint8_t dimension(std::size_t k) const { return component.dimensions[k]; }
+  Index origin(std::size_t, std::uint32_t slot) const { return component.origin[slot]; }
+};
+
+struct ProblemSource {
+  const Problem& problem;
+  const Shift& shift;
+
+  std::size_t num_dimensions() const { return problem.sizes().size(); }
+  std::size_t num_slots() const { return problem.num_indices() + num_dimensions(); }
+  std::uint32_t offset(std::size_t k) const { return shift.offset[k]; }
+  std::span<const Index> column(std::size_t k) const {
+    return problem.indices(static_cast<int>(k));
+  }
+  double cost(ArcId a) const { return shifted_cost(problem, shift, a); }
+  ArcId arc_origin(ArcId a) const { return a; }
+  std::uint8_t dimension(std::size_t k) const { return static_cast<std::uint8_t>(k); }
+  Index origin(std::size_t k, std::uint32_t slot) const { return slot - offset(k); }
+};
+
+}  // namespace
+
+Component make_component(std::vector<Index> sizes) {
+  Component component;
+  component.sizes = std::move(sizes);
+  std::uint32_t next = 0;
+  for (std::size_t k = 0; k < component.sizes.size(); ++k) {
+    component.offset.push_back(next);
+    component.dimensions.push_back(static_cast<std::uint8_t>(k));
+    for (Index i = 0; i <= component.sizes[k]; ++i) component.origin.push_back(i);
+    next += component.sizes[k] + 1;
+  }
+  component.indices.resize(component.sizes.size());
+  return component;
+}
+
+void append_arc(Component& component, std::span<const Index> tuple, double cost) {
+  for (std::size_t k = 0; k < tuple.size(); ++k) component.indices[k].push_back(tuple[k]);
+  component.costs.push_back(cost);
+}
+
+std::vector<ArcId> arcs_from_original(const Component& component, std::vector<ArcId> originals) {
+  std::sort(originals.begin(), originals.end());
+  if (component.arc_origin.empty()) return originals;
+  // Cutting keeps the order of arcs, so origins ascend.
+  for (ArcId& a : originals) {
+    const auto found = std::lower_bound(component.arc_origin.begin(), component.arc_origin.end(), a);
+    a = static_cast<ArcId>(found - component.arc_origin.begin());
+  }
+  return originals;
+}
+
+std::vector<double> restrict_slots(const Component& whole, std::span<const double> values,
+                                   const Component& part) {
+  // Both list the origins of a dimension in ascending order: walk them side by side.
+  std::vector<double> restricted(part.num_slots(), 0.0);
+  std::size_t k = 0;
+  for (std::size_t p = 0; p < part.sizes.size(); ++p) {
+    while (whole.dimensions[k] != part.dimensions[p]) ++k;
+    std::uint32_t slot = whole.offset[k];
+    for (Index i = 1; i <= part.sizes[p]; ++i) {
+      const std::uint32_t wanted = part.offset[p] + i;
+      do ++slot;
+      while (whole.origin[slot] != part.origin[wanted]);
+      restricted[wanted] = values[slot];
+    }
+  }
+  return restricted;
+}
+
+template <typename Source>
+Component Cutter::cut_from(const Source& source, std::span<const ArcId> arcs) {
+  if (number_.size() < source.num_slots()) number_.resize(source.num_slots(), 0);
+  for (std::size_t k = 0; k < source.num_dimensions(); ++k) {
+    const std::span<const Index> column = source.column(k);
+    for (const ArcId a : arcs) {
+      if (column[a] == 0) continue;
+      const std::uint32_t slot = source.offset(k) + column[a];
+      if (number_[slot] == 0) used_.push_back(slot);
+      number_[slot] = 1;
+    }
+  }
+  std::sort(used_.begin(), used_.end());
+  Component part;
+  auto next_used = used_.begin();
+  for (std::size_t k = 0; k < source.num_dimensions(); ++k) {
+    const std::uint32_t end =
+        k + 1 < source.num_dimensions() ? source.offset(k + 1) : ~std::uint32_t{0};
+    if (next_used == used_.end() || *next_used >= end) continue;
+    part.offset.push_back(static_cast<std::uint32_t>(part.origin.size()));
+    part.dimensions.push_back(source.dimension(k));
+    part.origin.push_back(0);
+    Index size = 0;
+    for (; next_used != used_.end() && *next_used < end; ++next_used) {
+      number_[*next_used] = ++size;
+      part.origin.push_back(source.origin(k, *next_used));
+    }
+    part.sizes.push_back(size);
+    const std::span<const Index> column = source.column(k);
+    std::vector<Index>& copy = part.indices.emplace_back();
+    copy.reserve(arcs.size());
+    for (const ArcId a : arcs) {
+      copy.push_back(column[a] == 0 ? 0 : number_[source.offset(k) + column[a]]);
+    }
+  }
+  part.costs.reserve(arcs.size());
+  part.arc_origin.reserve(arcs.size());
+  for (const ArcId a : arcs) {
+    part.costs.push_back(source.cost(a));
+    part.arc_origin.push_back(source.arc_origin(a));
+  }
+  for (const std::uint32_t slot : used_) number_[slot] = 0;
+  used_.clear();
+  return part;
+}
+
+Component Cutter::cut(const Component& source, std::span<const ArcId> arcs) {
+  return cut_from(ComponentSource{source}, arcs);
+}
+
+Component Cutter::cut(const Problem& source, const Shift& shift, std::span<const ArcId> arcs) {
+  return cut_from(ProblemSource{source, shift}, arcs);
+}
+
+}  // namespace nda::core

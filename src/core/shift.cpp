@@ -1,0 +1,105 @@
+#include "core/shift.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+// How high must the penalty of a forbidden singleton be?  Write |c_a| / (number of real indices of a) for the
+// share of an index in arc a, and w_i for the largest share of index i over its arcs and its singleton.  No
+// solution costs more than W = sum w_i or less than -W, so penalty > 2 W makes leaving a forbidden index
+// uncovered dearer than any solution that covers all of them.  It is rounded up to an integer so that costs
+// on a grid stay on it.
+
+namespace nda::core {
+namespace {
+
+using Table = std::vector<std::vector<double>>;
+
+Table largest_shares(const Problem& problem) {
+  Table share(static_cast<std::size_t>(problem.num_dimensions()));
+  for (std::size_t k = 0; k < share.size(); ++k) {
+    for (const double cost : problem.singleton_costs(static_cast<int>(k))) {
+      share[k].push_back(cost < kInfinity ? std::abs(cost) : 0.0);
+    }
+  }
+  for (std::size_t a = 0; a < problem.num_arcs(); ++a) {
+    int real = 0;
+    for (int k = 0; k < problem.num_dimensions(); ++k) real += problem.indices(k)[a] != 0;
+    const double part = std::abs(problem.costs()[a]) / real;
+    for (std::size_t k = 0; k < share.size(); ++k) {
+      const Index i = problem.indices(static_cast<int>(k))[a];
+      if (i != 0) share[k][i] = std::max(share[k][i], part);
+    }
+  }
+  return share;
+}
+
+double make_penalty(const Problem& problem) {
+  double total = 0;
+  double largest = 0;
+  for (const std::vector<double>& row : largest_shares(problem)) {
+    for (const double share : row) {
+      total += share;
+      largest = std::max(largest, share);
+    }
+  }
+  const double penalty = 2 * total + largest;
+  if (penalty == 0) return 1;
+  return penalty >= 1 ? std::ceil(penalty) : penalty;
+}
+
+bool has_forbidden_singleton(const Problem& problem) {
+  for (int k = 0; k < problem.num_dimensions(); ++k) {
+    const auto costs = problem.singleton_costs(k);
+    if (std::find(costs.begin(), costs.end(), kInfinity) != costs.end()) return true;
+  }
+  return false;
+}
+
+// Is x = 10^d c within rounding of an integer?  |c| 2^-52 is one rounding of c and one of the product.
+bool on_grid(double cost, double scale) {
+  const double x = cost * scale;
+  return std::abs(x) < 0x1p51 && std::abs(x - std::nearbyint(x)) <= std::abs(x) * 0x1p-52;
+}
+
+template <typename Predicate>
+bool all_costs(const Problem& problem, Predicate&& holds) {
+  for (const double cost : problem.costs()) {
+    if (!holds(cost)) return false;
+  }
+  for (int k = 0; k < problem.num_dimensions(); ++k) {
+    for (const double cost : problem.singleton_costs(k)) {
+      if (cost < kInfinity && !holds(cost)) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+Shift make_shift(const Problem& problem) {
+  Shift shift;
+  if (has_forbidden_singleton(problem)) shift.penalty = make_penalty(problem);
+  std::uint32_t next = 0;
+  for (int k = 0; k < problem.num_dimensions(); ++k) {
+    shift.offset.push_back(next);
+    next += problem.size(k) + 1;
+    std::vector<double>& base = shift.base.emplace_back();
+    for (const double cost : problem.singleton_costs(k)) {
+      base.push_back(cost < kInfinity ? cost : shift.penalty);
+      shift.constant += base.back();
+    }
+  }
+  return shift;
+}
+
+CostGrid find_grid(const Problem& problem) {
+  double scale = 1;
+  for (int digits = 0; digits <= 9; ++digits, scale *= 10) {
+    if (all_costs(problem, [&](double cost) { return on_grid(cost, scale); })) {
+      return {1 / scale, digits == 0};
+    }
+  }
+  return {};
+}
+
+}  // namespace nda::core

@@ -1,0 +1,83 @@
+#include "recovery/packing_state.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace nda::recovery {
+
+using core::ArcId;
+using core::Component;
+using core::for_each_slot;
+
+SlotArcs::SlotArcs(const Component& component) : start_(component.num_slots() + 1, 0) {
+  const std::size_t num_arcs = component.num_arcs();
+  std::vector<ArcId> order(num_arcs);
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](ArcId a, ArcId b) {
+    return component.costs[a] != component.costs[b] ? component.costs[a] < component.costs[b] : a < b;
+  });
+  for (ArcId a = 0; a < num_arcs; ++a) {
+    for_each_slot(component, a, [&](std::uint32_t slot) { ++start_[slot + 1]; });
+  }
+  std::partial_sum(start_.begin(), start_.end(), start_.begin());
+  arcs_.resize(start_.back());
+  std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
+  for (const ArcId a : order) {
+    for_each_slot(component, a, [&](std::uint32_t slot) { arcs_[next[slot]++] = a; });
+  }
+}
+
+bool PackingState::fits(ArcId a) const {
+  for (int k = 0; k < component_.num_dimensions(); ++k) {
+    if (component_.index(k, a) != 0 && owner_[component_.slot(k, a)] != kNoArc) return false;
+  }
+  return true;
+}
+
+void PackingState::insert(ArcId a) {
+  for_each_slot(component_, a, [&](std::uint32_t slot) { owner_[slot] = a; });
+  cost_ += component_.costs[a];
+}
+
+void PackingState::remove(ArcId a) {
+  for_each_slot(component_, a, [&](std::uint32_t slot) { owner_[slot] = kNoArc; });
+  cost_ -= component_.costs[a];
+}
+
+double PackingState::conflicts(ArcId a, std::vector<ArcId>& found) const {
+  found.clear();
+  double cost = 0;
+  for_each_slot(component_, a, [&](std::uint32_t slot) {
+    const ArcId b = owner_[slot];
+    if (b == kNoArc || b == a || std::find(found.begin(), found.end(), b) != found.end()) return;
+    found.push_back(b);
+    cost += component_.costs[b];
+  });
+  return cost;
+}
+
+bool PackingState::contains(ArcId a) const {
+  for (int k = 0; k < component_.num_dimensions(); ++k) {
+    if (component_.index(k, a) != 0) return owner_[component_.slot(k, a)] == a;
+  }
+  return false;
+}
+
+core::Packing PackingState::packing() const {
+  core::Packing result;
+  for (const ArcId a : owner_) {
+    if (a != kNoArc) result.arcs.push_back(a);
+  }
+  std::sort(result.arcs.begin(), result.arcs.end());
+  result.arcs.erase(std::unique(result.arcs.begin(), result.arcs.end()), result.arcs.end());
+  for (const ArcId a : result.arcs) result.cost += component_.costs[a];
+  return result;
+}
+
+void PackingState::assign(const core::Packing& packing) {
+  std::fill(owner_.begin(), owner_.end(), kNoArc);
+  cost_ = 0;
+  for (const ArcId a : packing.arcs) insert(a);
+}
+
+}  // namespace nda::recovery

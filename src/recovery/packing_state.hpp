@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/component.hpp"
+
+namespace nda::recovery {
+
+/// For every slot its arcs, cheapest first.  4 bytes per (arc, real index).
+class SlotArcs {
+ public:
+  explicit SlotArcs(const core::Component& component);
+
+  std::span<const core::ArcId> operator[](std::uint32_t slot) const {
+    return std::span(arcs_).subspan(start_[slot], start_[slot + 1] - start_[slot]);
+  }
+
+ private:
+  std::vector<std::uint32_t> start_;
+  std::vector<core::ArcId> arcs_;
+};
+
+/// No arc.
+inline constexpr core::ArcId kNoArc = ~core::ArcId{0};
+
+/// A packing under change: who covers every slot, and what it costs.  Every move is O(N).
+class PackingState {
+ public:
+  explicit PackingState(const core::Component& component)
+      : component_(component), owner_(component.num_slots(), kNoArc) {}
+
+  core::ArcId owner(std::uint32_t slot) const { return owner_[slot]; }
+  double cost() const { return cost_; }
+
+  /// No index of the arc is covered.
+  bool fits(core::ArcId a) const;
+  /// The arc must fit.
+  void insert(core::ArcId a);
+  /// The arc must be in.
+  void remove(core::ArcId a);
+  /// Writes the distinct arcs that share an index with a (a itself not), returns their cost.
+  double conflicts(core::ArcId a, std::vector<core::ArcId>& found) const;
+  bool contains(core::ArcId a) const;
+
+  /// The arcs in, ascending, and their cost summed afresh.
+  core::Packing packing() const;
+  void assign(const core::Packing& packing);
+
+ private:
+  const core::Component& component_;
+  std::vector<core::ArcId> owner_;
+  double cost_ = 0;
+};
+
+}  // namespace nda::recovery

@@ -1,0 +1,133 @@
+#include "recovery/recursive.hpp"
+
+#include <algorithm>
+
+#include "decompose/components.hpp"
+#include "recovery/packing_state.hpp"
+#include "relax/lagrangian.hpp"
+
+// The relaxed solution covers dimensions 0 and 1 properly and the others not.  The report keeps what is right:
+// every chosen pair (i1, i2) becomes one row j of a problem with one dimension less, whose solution says how the
+// pairs go on.  Arcs of cell (0, 0) stay free whatever the relaxed solution chose (report, before (3.7)).
+// Arcs that are not in the sparse set are simply absent; row j may always stay uncovered, which is the report's
+// c(j 0..0) = sum of singletons, 0 in shifted form.
+// Only after it is formulated can a recovery problem be decomposed (4.7), and it nearly always falls apart:
+// an alignment cuts most connections.
+
+namespace nda::recovery {
+namespace {
+
+using core::ArcId;
+using core::Component;
+using core::Deadline;
+using core::Packing;
+using relax::DualFunction;
+
+// True when all indices from dimension 2 on are dummies.
+bool ends_here(const Component& component, ArcId a) {
+  for (int k = 2; k < component.num_dimensions(); ++k) {
+    if (component.index(k, a) != 0) return false;
+  }
+  return true;
+}
+
+class Builder {
+ public:
+  explicit Builder(const Component& component) : component_(component) {}
+
+  RecoveryProblem build(const DualFunction& point) {
+    const relax::Cells& cells = point.cells();
+    std::vector<std::uint32_t> rows(point.aligned_cells().begin(), point.aligned_cells().end());
+    std::sort(rows.begin(), rows.end());
+    std::vector<Index> sizes = {static_cast<Index>(rows.size())};
+    sizes.insert(sizes.end(), component_.sizes.begin() + 2, component_.sizes.end());
+    result_.component = core::make_component(std::move(sizes));
+    result_.default_arc.assign(rows.size() + 1, kNoArc);
+    const bool has_free_cell = cells.num_cells() > 0 && cells.row[0] == 0 && cells.column[0] == 0;
+    if (has_free_cell) add_row(cells, 0, 0);
+    for (std::size_t j = 0; j < rows.size(); ++j) add_row(cells, rows[j], static_cast<Index>(j + 1));
+    return std::move(result_);
+  }
+
+ private:
+  void add_row(const relax::Cells& cells, std::uint32_t cell, Index j) {
+    double base = 0;
+    const ArcId first = cells.first_arc[cell];
+    // (j, 0..0) is lexicographically the first arc of its cell.
+    if (ends_here(component_, first)) {
+      base = std::min(0.0, component_.costs[first]);
+      if (base < 0) result_.default_arc[j] = first;
+    }
+    for (ArcId a = first; a < cells.first_arc[cell + 1]; ++a) {
+      if (ends_here(component_, a) || component_.costs[a] - base >= 0) continue;
+      result_.component.indices[0].push_back(j);
+      for (std::size_t k = 2; k < component_.sizes.size(); ++k) {
+        result_.component.indices[k - 1].push_back(component_.indices[k][a]);
+      }
+      result_.component.costs.push_back(component_.costs[a] - base);
+      result_.component.arc_origin.push_back(a);
+    }
+  }
+
+  const Component& component_;
+  RecoveryProblem result_;
+};
+
+// The recovery problem drops a dimension, and with it arcs of two real indices may become singletons:
+// (0, 0, i3, 0..) cannot occur, but a part may consist of one dimension only when every arc is (j, 0..0).
+Packing solve_part(const Component& part, const RelaxationOptions& options, const Deadline& deadline) {
+  relax::LagrangianOptions loop;
+  loop.dual_method = options.dual_method;
+  loop.assign2d = options.assign2d;
+  loop.max_evaluations = part.num_dimensions() == 2 ? 1 : options.recovery_evaluations;
+  loop.recovery_interval = part.num_dimensions() <= 3 ? 1 : 0;
+  loop.deadline = deadline;
+  return relax::maximize_dual(part, {}, loop, [&](const DualFunction& point) {
+           return recover_recursively(part, point, options, deadline);
+         }).best;
+}
+
+// In two dimensions the relaxed solution is the solution.
+Packing take_chosen(const Component& component, const DualFunction& point) {
+  Packing packing;
+  packing.arcs.assign(point.chosen_arcs().begin(), point.chosen_arcs().end());
+  for (const ArcId a : packing.arcs) packing.cost += component.costs[a];
+  return packing;
+}
+
+}  // namespace
+
+RecoveryProblem make_recovery_problem(const Component& component, const DualFunction& point) {
+  return Builder(component).build(point);
+}
+
+Packing recover_recursively(const Component& component, const DualFunction& point,
+                            const RelaxationOptions& options, const Deadline& deadline) {
+  if (component.num_dimensions() == 2) return take_chosen(component, point);
+  const RecoveryProblem problem = make_recovery_problem(component, point);
+  std::vector<bool> covered(problem.default_arc.size(), false);
+  Packing packing;
+  const auto take = [&](ArcId a) {
+    packing.arcs.push_back(a);
+    packing.cost += component.costs[a];
+  };
+  core::Cutter cutter;
+  const decompose::Partition parts = decompose::partition(problem.component);
+  for (std::size_t c = 0; c < parts.num_components(); ++c) {
+    // Cut without the origins of the recovery problem, so that arcs of the part point into it.
+    Component part = cutter.cut(problem.component, parts.component(c));
+    std::copy(parts.component(c).begin(), parts.component(c).end(), part.arc_origin.begin());
+    for (const ArcId a : solve_part(part, options, deadline).arcs) {
+      const ArcId in_problem = part.arc_origin[a];
+      covered[problem.component.indices[0][in_problem]] = true;
+      take(problem.component.arc_origin[in_problem]);
+    }
+  }
+  for (std::size_t j = 1; j < covered.size(); ++j) {
+    if (!covered[j] && problem.default_arc[j] != kNoArc) take(problem.default_arc[j]);
+  }
+  std::sort(packing.arcs.begin(), packing.arcs.end());
+  return packing;
+}
+
+}  // namespace nda::recovery

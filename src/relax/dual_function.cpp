@@ -1,0 +1,198 @@
+#include "relax/dual_function.hpp"
+
+#include <algorithm>
+
+#include "core/clock.hpp"
+
+// Report, sections 3.1 and 4.1, for m = 2, with three liberties.
+//   - The problem is shifted, so that every index may stay uncovered at cost 0.  Rows and columns of the
+//     assignment then have outside options instead of dummies that may repeat: fewer nodes, same optimum.
+//   - Singletons of relaxed indices are relaxed with everything else; eq. (3.3) puts them into c(0..0).  Their
+//     part is closed: min(0, 0 - u_i) + u_i = min(0, u_i).  u needs no sign and no box.
+//   - At u_i = 0 the singleton is indifferent; we use it exactly when no arc uses i, which gives the subgradient
+//     nearest to zero among its choices.
+
+namespace nda::relax {
+namespace {
+
+using core::ArcId;
+using core::Component;
+
+constexpr std::uint32_t kNoCell = ~std::uint32_t{0};
+
+}  // namespace
+
+// The two-dimensional problem: its structure is that of the cells and stays fixed, its costs change.
+struct DualFunction::Assignment {
+  std::unique_ptr<Assign2dSolver> solver;
+  Assign2dResult result;
+  std::vector<std::uint32_t> row_start;
+  std::vector<std::uint32_t> column;
+  std::vector<double> cost;
+  std::vector<double> row_outside;
+  std::vector<double> column_outside;
+  std::vector<std::uint32_t> pair_cell;    // [pair]: its cell
+  std::vector<std::uint32_t> row_cell;     // [row]: cell (i1, 0) or kNoCell
+  std::vector<std::uint32_t> column_cell;  // [column]: cell (0, i2) or kNoCell
+  std::uint32_t free_cell = kNoCell;       // cell (0, 0)
+
+  Assignment(const Component& component, const Cells& cells, Assign2dMethod method)
+      : solver(make_assign2d_solver(method)),
+        row_outside(component.sizes[0], 0.0),
+        column_outside(component.sizes[1], 0.0),
+        row_cell(component.sizes[0], kNoCell),
+        column_cell(component.sizes[1], kNoCell) {
+    row_start.assign(component.sizes[0] + std::size_t{1}, 0);
+    for (std::uint32_t cell = 0; cell < cells.num_cells(); ++cell) {
+      const Index i = cells.row[cell];
+      const Index j = cells.column[cell];
+      if (i == 0 && j == 0) {
+        free_cell = cell;
+      } else if (i == 0) {
+        column_cell[j - 1] = cell;
+      } else if (j == 0) {
+        row_cell[i - 1] = cell;
+      } else {
+        ++row_start[i];
+        column.push_back(j - 1);
+        pair_cell.push_back(cell);
+      }
+    }
+    for (std::size_t i = 1; i < row_start.size(); ++i) row_start[i] += row_start[i - 1];
+    cost.resize(column.size());
+  }
+
+  void solve(std::span<const double> d) {
+    for (std::size_t pair = 0; pair < cost.size(); ++pair) cost[pair] = d[pair_cell[pair]];
+    for (std::size_t i = 0; i < row_cell.size(); ++i) {
+      if (row_cell[i] != kNoCell) row_outside[i] = std::min(0.0, d[row_cell[i]]);
+    }
+    for (std::size_t j = 0; j < column_cell.size(); ++j) {
+      if (column_cell[j] != kNoCell) column_outside[j] = std::min(0.0, d[column_cell[j]]);
+    }
+    solver->solve_warm({row_start, column, cost, row_outside, column_outside}, result);
+  }
+
+  // The cell of the chosen pair (row, column_of_row).
+  std::uint32_t chosen_cell(std::uint32_t row) const {
+    const auto begin = column.begin() + row_start[row];
+    const auto end = column.begin() + row_start[row + 1];
+    const auto wanted = static_cast<std::uint32_t>(result.column_of_row[row]);
+    return pair_cell[static_cast<std::size_t>(std::lower_bound(begin, end, wanted) - column.begin())];
+  }
+};
+
+DualFunction::DualFunction(const Component& component, Assign2dMethod method)
+    : component_(component),
+      cells_(find_cells(component)),
+      num_slots_(component.num_slots()),
+      slot_u_(num_slots_, 0.0),
+      d_(cells_.num_cells()),
+      cell_arc_(cells_.num_cells()),
+      assignment_(std::make_unique<Assignment>(component, cells_, method)) {
+  first_slot_ = component.num_dimensions() > 2 ? component.offset[2]
+                                               : static_cast<std::uint32_t>(num_slots_);
+}
+
+DualFunction::~DualFunction() = default;
+
+double DualFunction::evaluate(std::span<const double> u, std::span<double> subgradient) {
+  std::copy(u.begin(), u.end(), slot_u_.begin() + first_slot_);
+  const core::Stopwatch watch;
+  collapse(component_, cells_, slot_u_, d_, cell_arc_);
+  collapse_seconds_ += watch.seconds();
+  assignment_->solve(d_);
+
+  double value = assignment_->result.cost;
+  for (const double multiplier : u) value += std::min(0.0, multiplier);
+  std::fill(subgradient.begin(), subgradient.end(), 0.0);
+  choose(subgradient);
+  value += take_free_cell(subgradient);
+  for (std::size_t j = 0; j < u.size(); ++j) {
+    const double uses = -subgradient[j];
+    const double singleton = u[j] > 0 || (u[j] == 0 && uses == 0) ? 1.0 : 0.0;
+    subgradient[j] = 1.0 - uses - singleton;
+  }
+  for (std::size_t k = 2; k < component_.sizes.size(); ++k) {
+    subgradient[component_.offset[k] - first_slot_] = 0.0;
+  }
+  return value;
+}
+
+// Collects the relaxed solution of the assignment (3.5); subgradient then holds minus the uses of its arcs.
+void DualFunction::choose(std::span<double> subgradient) {
+  chosen_.clear();
+  aligned_cells_.clear();
+  const Assignment& assignment = *assignment_;
+  for (std::uint32_t row = 0; row < assignment.row_cell.size(); ++row) {
+    if (assignment.result.column_of_row[row] != kUnassigned) {
+      take_cell(assignment.chosen_cell(row), subgradient);
+    } else if (assignment.row_outside[row] < 0) {
+      take_cell(assignment.row_cell[row], subgradient);
+    }
+  }
+  for (std::uint32_t column = 0; column < assignment.column_cell.size(); ++column) {
+    const bool outside = assignment.result.row_of_column[column] == kUnassigned;
+    if (outside && assignment.column_outside[column] < 0) {
+      take_cell(assignment.column_cell[column], subgradient);
+    }
+  }
+}
+
+void DualFunction::take_cell(std::uint32_t cell, std::span<double> subgradient) {
+  aligned_cells_.push_back(cell);
+  use(cell_arc_[cell], subgradient);
+}
+
+double DualFunction::take_free_cell(std::span<double> subgradient) {
+  const std::uint32_t cell = assignment_->free_cell;
+  if (cell == kNoCell) return 0;
+  double value = 0;
+  for (ArcId a = cells_.first_arc[cell]; a < cells_.first_arc[cell + 1]; ++a) {
+    const double r = core::reduced_cost(component_, slot_u_, a);
+    if (r >= 0) continue;
+    value += r;
+    use(a, subgradient);
+  }
+  return value;
+}
+
+void DualFunction::use(ArcId a, std::span<double> subgradient) {
+  chosen_.push_back(a);
+  for (int k = 2; k < component_.num_dimensions(); ++k) {
+    subgradient[component_.slot(k, a) - first_slot_] -= 1.0;
+  }
+}
+
+void DualFunction::multipliers(std::span<const double> u, std::span<double> all) const {
+  std::fill(all.begin(), all.end(), 0.0);
+  const Assign2dResult& result = assignment_->result;
+  std::copy(result.u.begin(), result.u.end(), all.begin() + component_.offset[0] + 1);
+  std::copy(result.v.begin(), result.v.end(), all.begin() + component_.offset[1] + 1);
+  for (std::size_t j = 0; j < u.size(); ++j) all[first_slot_ + j] = std::min(0.0, u[j]);
+  for (const std::uint32_t dummy : component_.offset) all[dummy] = 0.0;
+}
+
+double make_feasible(const Component& component, std::span<double> u) {
+  std::vector<double> r(component.num_arcs());
+  for (ArcId a = 0; a < component.num_arcs(); ++a) r[a] = core::reduced_cost(component, u, a);
+  std::vector<double> least;
+  for (std::size_t k = component.sizes.size(); k-- > 0;) {
+    const std::vector<Index>& index = component.indices[k];
+    const std::span<double> block = u.subspan(component.offset[k], component.sizes[k] + 1);
+    least.assign(block.size(), kInfinity);
+    for (std::size_t a = 0; a < r.size(); ++a) least[index[a]] = std::min(least[index[a]], r[a]);
+    least[0] = 0;
+    for (std::size_t i = 1; i < block.size(); ++i) {
+      const double raised = std::min(0.0, block[i] + least[i]);
+      least[i] = raised - block[i];
+      block[i] = raised;
+    }
+    for (std::size_t a = 0; a < r.size(); ++a) r[a] -= least[index[a]];
+  }
+  double sum = 0;
+  for (const double multiplier : u) sum += multiplier;
+  return sum;
+}
+
+}  // namespace nda::relax

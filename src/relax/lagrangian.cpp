@@ -1,0 +1,93 @@
+#include "relax/lagrangian.hpp"
+
+#include <algorithm>
+
+#include "dual/maximize.hpp"
+
+// The report recovers once, from the optimal multipliers; but its own implementation recovers at every
+// nonsmooth step once the problem is three-dimensional, because neighbouring multipliers give different
+// alignments and each is a new chance.  `recovery_interval` covers both.
+// A packing of cost z recovered on the way ends the loop when the bound reaches z: hence the goal moves.
+
+namespace nda::relax {
+namespace {
+
+using core::Component;
+using core::Packing;
+
+// Collects, evaluation by evaluation, the best multipliers and the best packing.
+class Loop {
+ public:
+  Loop(const Component& component, const LagrangianOptions& options, const Recover& recover)
+      : options_(options),
+        recover_(recover),
+        function_(component, options.assign2d),
+        best_multipliers_(component.num_slots(), 0.0) {}
+
+  DualFunction& function() { return function_; }
+  const std::vector<double>& best_multipliers() const { return best_multipliers_; }
+  LagrangianResult& result() { return result_; }
+
+  // Returns false to stop.
+  bool observe(const dual::Iterate& iterate) {
+    ++result_.evaluations;
+    if (iterate.value > best_value_) {
+      best_value_ = iterate.value;
+      best_point_.assign(iterate.point.begin(), iterate.point.end());
+      function_.multipliers(iterate.point, best_multipliers_);
+    }
+    if (options_.recovery_interval > 0 && (result_.evaluations - 1) % options_.recovery_interval == 0) {
+      recover();
+    }
+    return best_value_ < goal() && !options_.deadline.reached();
+  }
+
+  void recover_at_best() {
+    if (options_.recovery_interval > 0 || !recover_ || best_point_.empty()) return;
+    std::vector<double> subgradient(best_point_.size());
+    function_.evaluate(best_point_, subgradient);
+    recover();
+  }
+
+ private:
+  double goal() const { return std::min(options_.goal, result_.recoveries > 0 ? result_.best.cost : kInfinity); }
+
+  void recover() {
+    if (!recover_) return;
+    ++result_.recoveries;
+    Packing packing = recover_(function_);
+    if (packing.cost < result_.best.cost) result_.best = std::move(packing);
+  }
+
+  const LagrangianOptions& options_;
+  const Recover& recover_;
+  DualFunction function_;
+  std::vector<double> best_multipliers_;
+  std::vector<double> best_point_;
+  double best_value_ = -kInfinity;
+  LagrangianResult result_;
+};
+
+}  // namespace
+
+LagrangianResult maximize_dual(const Component& component, std::span<const double> warm,
+                               const LagrangianOptions& options, const Recover& recover) {
+  Loop loop(component, options, recover);
+  std::vector<double> start(loop.function().num_variables(), 0.0);
+  if (!warm.empty()) std::copy(warm.begin() + loop.function().first_slot(), warm.end(), start.begin());
+
+  dual::MaximizeOptions limits;
+  limits.max_evaluations = options.max_evaluations;
+  limits.relative_tolerance = options.relative_tolerance;
+  limits.target = options.goal;
+  dual::maximize(options.dual_method, loop.function(), start, limits,
+                 [&](const dual::Iterate& iterate) { return loop.observe(iterate); });
+  loop.recover_at_best();
+
+  LagrangianResult result = std::move(loop.result());
+  result.u = loop.best_multipliers();
+  result.lower = make_feasible(component, result.u);
+  return result;
+}
+
+}  // namespace nda::relax

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "core/clock.hpp"
+#include "core/component.hpp"
+#include "nda/options.hpp"
+#include "relax/dual_function.hpp"
+
+namespace nda::relax {
+
+/// Makes a packing from the last evaluation of the dual function; injected by the layer above.
+using Recover = std::function<core::Packing(const DualFunction& point)>;
+
+struct LagrangianOptions {
+  DualMethod dual_method = DualMethod::kBundleTrust;
+  Assign2dMethod assign2d = Assign2dMethod::kShortestPath;
+  int max_evaluations = 100;
+  double relative_tolerance = 1e-7;
+  int recovery_interval = 1;    ///< recover at evaluations 1, 1 + interval, ...; 0 = only at the best point, at the end
+  double goal = kInfinity;      ///< stop once the bound reaches it: nothing cheaper is wanted
+  core::Deadline deadline;
+};
+
+struct LagrangianResult {
+  std::vector<double> u;      ///< multipliers of all slots: u <= 0, all reduced costs >= 0
+  double lower = -kInfinity;  ///< sum u, a lower bound on every packing
+  core::Packing best;         ///< best recovered packing; empty (cost 0) if none is better
+  int evaluations = 0;
+  int recoveries = 0;
+};
+
+/// The Lagrangian loop: maximises the dual function of a component from the multipliers `warm` (by slot; empty = 0),
+/// recovering packings on the way.  Source: report, section 3.3, steps A to D for m = 2.
+/// Cost: evaluations * (O(A N) + one 2-D assignment).
+LagrangianResult maximize_dual(const core::Component& component, std::span<const double> warm,
+                               const LagrangianOptions& options, const Recover& recover);
+
+}  // namespace nda::relax

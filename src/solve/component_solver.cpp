@@ -1,0 +1,254 @@
+#include "solve/component_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "bnb/branch_and_bound.hpp"
+#include "bnb/enumerate.hpp"
+#include "core/random.hpp"
+#include "decompose/components.hpp"
+#include "decompose/reduced_cost_fixing.hpp"
+#include "recovery/greedy.hpp"
+#include "recovery/local_search.hpp"
+#include "recovery/recursive.hpp"
+#include "relax/lagrangian.hpp"
+
+// The order of work on one component follows what was measured (docs/pipeline.md): enumerate the small ones;
+// relax to two dimensions, recovering on the way; improve the best packing; drop what reduced costs exclude;
+// branch on what is left, with the same relaxation as bound in every node.
+
+namespace nda::solve {
+namespace {
+
+using core::ArcId;
+using core::Component;
+using core::Packing;
+
+constexpr std::int64_t kEnumerationNodes = 200000;
+constexpr int kFeasibleSweeps = 3;
+
+relax::LagrangianOptions loop_options(const Options& options, const core::Deadline& deadline) {
+  relax::LagrangianOptions loop;
+  loop.dual_method = options.relaxation.dual_method;
+  loop.assign2d = options.relaxation.assign2d;
+  loop.relative_tolerance = options.relaxation.relative_tolerance;
+  loop.deadline = deadline;
+  return loop;
+}
+
+// Fixing and splitting as branch and bound wants them.
+bnb::Reduction reduce(const Component& component, const bnb::NodeBound& bound, double cutoff) {
+  const decompose::Fixing fixing = decompose::fix(component, bound.u, bound.lower, cutoff);
+  bnb::Reduction reduction;
+  for (const ArcId a : fixing.taken) {
+    reduction.taken.arcs.push_back(core::original_arc(component, a));
+    reduction.taken.cost += component.costs[a];
+  }
+  core::Cutter cutter;
+  const Component live = cutter.cut(component, fixing.live);
+  const decompose::Partition parts = decompose::partition(live);
+  for (std::size_t c = 0; c < parts.num_components(); ++c) {
+    reduction.parts.push_back(cutter.cut(live, parts.component(c)));
+    const std::vector<double> live_u = core::restrict_slots(component, bound.u, live);
+    reduction.u.push_back(core::restrict_slots(live, live_u, reduction.parts.back()));
+  }
+  return reduction;
+}
+
+}  // namespace
+
+Precision precision_of(const Component& component, const core::CostGrid& grid) {
+  double largest = 0;
+  for (const double cost : component.costs) largest = std::max(largest, std::abs(cost));
+  Precision precision;
+  precision.error = 0x1p-50 * static_cast<double>(component.num_indices()) * largest;
+  precision.margin = grid.step > 8 * precision.error ? grid.step - 2 * precision.error : precision.error;
+  return precision;
+}
+
+ComponentSolver::ComponentSolver(const Component& component, const Options& options,
+                                 const core::CostGrid& grid, std::uint64_t seed,
+                                 const core::Deadline& deadline, Monitor& monitor)
+    : component_(component),
+      options_(options),
+      deadline_(deadline),
+      monitor_(monitor),
+      precision_(precision_of(component, grid)),
+      seed_(seed) {
+  state_.live_arcs = component.num_arcs();
+  state_.u.assign(component.num_slots(), 0.0);
+  state_.certificate = state_.lower = relax::make_feasible(component, state_.u);
+  monitor_.moved(0.0, state_.lower, "coordinate ascent");
+}
+
+void ComponentSolver::start() {
+  if (deadline_.reached()) return;
+  if (component_.num_dimensions() == 2) return solve_assignment();
+  if (component_.num_arcs() <= options_.branch.exact_arcs || options_.method == Method::kExact) enumerate();
+  if (state_.complete) return;
+  offer(recovery::greedy(component_, component_.costs), "greedy");
+  if (options_.search.local_search) search(options_.search.perturbations);
+  relax();
+}
+
+void ComponentSolver::finish(double allowed_gap) {
+  if (options_.method == Method::kRelaxation) {
+    if (!state_.complete) state_.stopped = Status::kIterationLimit;
+    return;
+  }
+  if (close_enough(allowed_gap) || deadline_.reached()) return;
+  if (options_.search.local_search) {
+    search(10 * options_.search.perturbations + static_cast<std::int64_t>(component_.num_arcs()));
+  }
+  if (!close_enough(allowed_gap)) branch(allowed_gap);
+}
+
+// Two dimensions: the relaxed problem is the problem.
+void ComponentSolver::solve_assignment() {
+  state_.method = "assignment";
+  relax::LagrangianOptions loop = loop_options(options_, deadline_);
+  loop.max_evaluations = 1;
+  relax::LagrangianResult result =
+      relax::maximize_dual(component_, {}, loop, [&](const relax::DualFunction& point) {
+        return recovery::recover_recursively(component_, point, options_.relaxation, deadline_);
+      });
+  ++state_.evaluations;
+  offer(result.best, "assignment");
+  state_.u = std::move(result.u);
+  state_.certificate = result.lower;
+  raise_bound(result.lower, "assignment");
+}
+
+void ComponentSolver::enumerate() {
+  state_.method = "enumeration";
+  std::vector<double> u = state_.u;
+  for (int sweep = 1; sweep < kFeasibleSweeps; ++sweep) relax::make_feasible(component_, u);
+  const bnb::SearchResult result =
+      bnb::enumerate(component_, u, precision_.margin, kEnumerationNodes, deadline_);
+  state_.nodes += result.nodes;
+  if (result.found) offer(result.best, "enumeration");
+  if (!result.complete) return;
+  // The multipliers should prove as much as they can by themselves.
+  relax::LagrangianOptions loop = loop_options(options_, deadline_);
+  loop.max_evaluations = options_.branch.node_evaluations;
+  loop.goal = state_.best.cost - precision_.error;
+  relax::LagrangianResult dual = relax::maximize_dual(component_, u, loop, {});
+  state_.evaluations += dual.evaluations;
+  state_.u = std::move(dual.u);
+  state_.certificate = dual.lower;
+  raise_bound(state_.best.cost - precision_.error, "enumeration");
+}
+
+void ComponentSolver::relax() {
+  state_.method = "relaxation";
+  relax::LagrangianOptions loop = loop_options(options_, deadline_);
+  loop.max_evaluations = options_.relaxation.max_evaluations;
+  loop.recovery_interval = options_.relaxation.recovery_interval;
+  loop.goal = cutoff();
+  core::Random random(seed_ + 1);
+  recovery::LocalSearch local_search(component_);
+  const auto recover = [&](const relax::DualFunction& point) {
+    Packing packing =
+        recovery::recover_recursively(component_, point, options_.relaxation, deadline_);
+    if (options_.search.local_search) {
+      local_search.improve(packing, 0, state_.lower, random, deadline_);
+    }
+    offer(packing, "recovery");
+    return packing;
+  };
+  relax::LagrangianResult result = relax::maximize_dual(component_, {}, loop, recover);
+  state_.evaluations += result.evaluations;
+  state_.recoveries += result.recoveries;
+  if (result.lower > state_.certificate) {
+    state_.u = std::move(result.u);
+    state_.certificate = result.lower;
+    raise_bound(result.lower, "relaxation");
+  }
+}
+
+void ComponentSolver::search(std::int64_t kicks) {
+  core::Random random(seed_ + static_cast<std::uint64_t>(state_.recoveries) + 2);
+  recovery::LocalSearch local_search(component_);
+  std::vector<ArcId> candidates;
+  const double reach = state_.best.cost - state_.certificate;
+  for (ArcId a = 0; a < component_.num_arcs(); ++a) {
+    if (core::reduced_cost(component_, state_.u, a) < reach) candidates.push_back(a);
+  }
+  local_search.set_candidates(std::move(candidates));
+  Packing packing = state_.best;
+  local_search.improve(packing, kicks, state_.lower + precision_.error, random, deadline_);
+  offer(packing, "local search");
+}
+
+void ComponentSolver::branch(double allowed_gap) {
+  state_.method = "branch and bound";
+  bnb::Collaborators collaborators;
+  collaborators.bound = [&](const Component& node, std::span<const double> warm, double cutoff) {
+    relax::LagrangianOptions loop = loop_options(options_, deadline_);
+    loop.max_evaluations = options_.branch.node_evaluations;
+    loop.recovery_interval = 0;
+    loop.goal = cutoff;
+    relax::LagrangianResult dual = relax::maximize_dual(node, warm, loop, {});
+    state_.evaluations += dual.evaluations;
+    bnb::NodeBound bound{std::move(dual.u), dual.lower, {}};
+    const double inherited = std::accumulate(warm.begin(), warm.end(), 0.0);
+    if (inherited > bound.lower) bound = {{warm.begin(), warm.end()}, inherited, {}};
+    bound.packing = recovery::dual_greedy(node, bound.u);
+    core::Random random(seed_ + 3);
+    recovery::LocalSearch(node).improve(bound.packing, 0, bound.lower, random, deadline_);
+    return bound;
+  };
+  collaborators.reduce = reduce;
+  bnb::BranchLimits limits;
+  limits.max_nodes = options_.branch.max_nodes;
+  limits.margin = std::max(precision_.margin, allowed_gap);
+  // A coarser margin than the grid's leaves packings between it and the best unseen.
+  limits.error = allowed_gap <= precision_.margin ? precision_.error : limits.margin;
+  limits.deadline = deadline_;
+  const double cutoff = state_.best.cost - limits.margin;
+  bnb::SearchResult result =
+      bnb::branch_and_bound(component_, state_.u, cutoff, collaborators, limits);
+  state_.nodes += result.nodes;
+  if (result.found) {
+    Packing packing;
+    packing.cost = result.best.cost;
+    packing.arcs = core::arcs_from_original(component_, result.best.arcs);
+    offer(packing, "branch and bound");
+  }
+  raise_bound(result.complete ? state_.best.cost - limits.error : std::min(result.lower, cutoff),
+              "branch and bound");
+  if (!result.complete) {
+    state_.stopped = deadline_.interrupted() ? Status::kInterrupted
+                     : deadline_.expired()   ? Status::kTimeLimit
+                                             : Status::kNodeLimit;
+  }
+}
+
+bool ComponentSolver::offer(const Packing& packing, const char* event) {
+  if (packing.cost >= state_.best.cost) return false;
+  monitor_.moved(packing.cost - state_.best.cost, 0.0, event);
+  state_.best = packing;
+  raise_bound(state_.lower, event);
+  return true;
+}
+
+void ComponentSolver::raise_bound(double lower, const char* event) {
+  // Nothing is cheaper than the best by less than the margin, so a bound in between proves the best.
+  const bool meets = std::max(lower, state_.lower) >= cutoff();
+  if (meets) lower = std::max(lower, state_.best.cost - precision_.error);
+  if (lower > state_.lower) {
+    monitor_.moved(0.0, lower - state_.lower, event);
+    state_.lower = lower;
+  }
+  if (meets && !state_.complete) {
+    state_.complete = true;
+    monitor_.component_done();
+  }
+}
+
+bool ComponentSolver::close_enough(double allowed_gap) const {
+  return state_.complete || state_.best.cost - state_.lower <= allowed_gap;
+}
+
+}  // namespace nda::solve

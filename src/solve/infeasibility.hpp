@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "nda/problem.hpp"
+
+namespace nda::solve {
+
+/// A real index: dimension k (from 0) and number i (from 1).
+struct RealIndex {
+  int dimension;
+  Index index;
+};
+
+/// The reason of an infeasible problem in one sentence.  `uncovered`: forbidden-singleton indices that the best
+/// solution of the penalised problem leaves uncovered; it covers as many as can be covered at once
+/// as far as the penalty sees.
+std::string infeasibility_reason(const Problem& problem, const std::vector<RealIndex>& uncovered);
+
+/// Indices that no arc contains though their singleton is forbidden.
+std::vector<RealIndex> indices_without_arcs(const Problem& problem);
+
+}  // namespace nda::solve

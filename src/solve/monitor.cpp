@@ -1,0 +1,36 @@
+#include "solve/monitor.hpp"
+
+namespace nda::solve {
+
+Monitor::Monitor(const std::function<bool(const Progress&)>& callback, double constant,
+                 std::size_t num_components, std::stop_source stop)
+    : callback_(callback), stop_(std::move(stop)) {
+  progress_.cost = constant;
+  progress_.num_components = num_components;
+}
+
+void Monitor::set_bound(double lower_bound) {
+  const std::lock_guard lock(mutex_);
+  progress_.lower_bound = lower_bound;
+}
+
+void Monitor::moved(double cost_change, double bound_change, const char* event) {
+  const std::lock_guard lock(mutex_);
+  progress_.cost += cost_change;
+  progress_.lower_bound += bound_change;
+  tell(event);
+}
+
+void Monitor::component_done() {
+  const std::lock_guard lock(mutex_);
+  ++progress_.components_done;
+}
+
+void Monitor::tell(const char* event) {
+  if (!callback_) return;
+  progress_.seconds = watch_.seconds();
+  progress_.event = event;
+  if (!callback_(progress_)) stop_.request_stop();
+}
+
+}  // namespace nda::solve

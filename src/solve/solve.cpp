@@ -1,0 +1,279 @@
+#include "nda/solve.hpp"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numeric>
+
+#include "core/clock.hpp"
+#include "core/component.hpp"
+#include "core/double_double.hpp"
+#include "core/shift.hpp"
+#include "decompose/components.hpp"
+#include "nda/check.hpp"
+#include "solve/component_solver.hpp"
+#include "solve/infeasibility.hpp"
+#include "solve/monitor.hpp"
+#include "solve/process.hpp"
+
+// The pipeline: shift, split, solve the parts in two rounds, merge.  The first round gives every component a
+// solution and a bound, the second works on those that are not yet closed.  Components are independent, so
+// they run in parallel and the answer does not depend on how many at once.
+
+namespace nda {
+namespace {
+
+using core::ArcId;
+using core::Component;
+using solve::ComponentSolver;
+using solve::ComponentState;
+using solve::Monitor;
+
+// What merging takes per arc: the certificate, in double-double.
+constexpr double kMergeSecondsPerArc = 1e-8;
+
+// One component and its solver, kept between the rounds.
+struct Part {
+  Component component;
+  std::unique_ptr<ComponentSolver> solver;
+};
+
+class Pipeline {
+ public:
+  Pipeline(const Problem& problem, const Options& options)
+      : problem_(problem),
+        options_(options),
+        forward_stop_(options.stop, StopForwarder{stop_}),
+        deadline_(work_limit(), stop_.get_token()) {}
+
+  Solution run() {
+    shift_ = core::make_shift(problem_);
+    grid_ = core::find_grid(problem_);
+    partition_ = decompose::partition(problem_, shift_);
+    parts_.resize(partition_.num_components());
+    Monitor monitor(options_.progress, shift_.constant, parts_.size(), stop_);
+    monitor.set_bound(shift_.constant);
+    for_all_parts([&](std::size_t p) { start(p, monitor); });
+    const double gap = options_.relative_gap * std::abs(total(&best_cost));
+    const double open = total(&best_cost) - total(&lower_bound);
+    for_all_parts([&](std::size_t p) {
+      const ComponentState& state = parts_[p].solver->state();
+      const double share = open > 0 ? (state.best.cost - state.lower) / open : 0.0;
+      parts_[p].solver->finish(gap * share);
+    });
+    return merge();
+  }
+
+ private:
+  struct StopForwarder {
+    std::stop_source source;
+    void operator()() { source.request_stop(); }
+  };
+
+  double work_limit() const {
+    return options_.time_limit_s - kMergeSecondsPerArc * static_cast<double>(problem_.num_arcs());
+  }
+
+  template <typename Work>
+  void for_all_parts(Work&& work) {
+    if (options_.num_threads == 1 || parts_.size() <= 1) {
+      for (std::size_t p = 0; p < parts_.size(); ++p) work(p);
+      return;
+    }
+    tbb::task_arena arena(options_.num_threads == 0 ? tbb::task_arena::automatic
+                                                    : options_.num_threads);
+    arena.execute([&] {
+      tbb::parallel_for(std::size_t{0}, parts_.size(), std::size_t{1}, work,
+                        tbb::simple_partitioner());
+    });
+  }
+
+  void start(std::size_t p, Monitor& monitor) {
+    Part& part = parts_[p];
+    core::Cutter cutter;
+    part.component = cutter.cut(problem_, shift_, partition_.component(p));
+    part.solver = std::make_unique<ComponentSolver>(part.component, options_, grid_,
+                                                    options_.seed + 1000003 * p, deadline_, monitor);
+    part.solver->start();
+  }
+
+  static double best_cost(const ComponentState& state) { return state.best.cost; }
+  static double lower_bound(const ComponentState& state) { return state.lower; }
+
+  // Constant plus the sum of one figure over all components.
+  double total(double (*figure)(const ComponentState&)) const {
+    core::DoubleDouble sum(shift_.constant);
+    for (const Part& part : parts_) sum.add(figure(part.solver->state()));
+    return sum.high();
+  }
+
+  Solution merge() {
+    Solution solution;
+    solution.sizes.assign(problem_.sizes().begin(), problem_.sizes().end());
+    solution.num_arcs = problem_.num_arcs();
+    solution.num_components = parts_.size();
+    for (const Part& part : parts_) report(part, solution);
+    merge_arcs(solution);
+    merge_multipliers(solution);
+    merge_bounds(solution);
+    set_status(solution);
+    solution.stats.solve_seconds = deadline_.seconds();
+    solution.stats.peak_memory_bytes = solve::peak_memory_bytes();
+    return solution;
+  }
+
+  void report(const Part& part, Solution& solution) const {
+    const ComponentState& state = part.solver->state();
+    double base = 0;
+    for (std::size_t k = 0; k < part.component.sizes.size(); ++k) {
+      for (Index i = 1; i <= part.component.sizes[k]; ++i) {
+        base += shift_.base[part.component.dimensions[k]]
+                           [part.component.origin[part.component.offset[k] + i]];
+      }
+    }
+    solution.components.push_back({part.component.num_arcs(),
+                                   part.component.num_indices(),
+                                   state.complete ? Status::kOptimal : state.stopped,
+                                   state.complete,
+                                   base + state.best.cost,
+                                   base + state.lower,
+                                   state.method});
+    solution.stats.dual_evaluations += state.evaluations;
+    solution.stats.recoveries += state.recoveries;
+    solution.stats.nodes += state.nodes;
+    solution.stats.arcs_after_shift += part.component.num_arcs();
+    solution.stats.arcs_after_fixing += state.live_arcs;
+  }
+
+  void merge_arcs(Solution& solution) {
+    std::vector<ArcId> arcs;
+    for (const Part& part : parts_) {
+      for (const ArcId a : part.solver->state().best.arcs) {
+        arcs.push_back(core::original_arc(part.component, a));
+      }
+    }
+    std::sort(arcs.begin(), arcs.end());
+    RankedSolution best;
+    core::DoubleDouble cost;
+    std::vector<std::vector<bool>> covered;
+    for (const Index size : problem_.sizes()) covered.emplace_back(size + std::size_t{1}, false);
+    for (const ArcId a : arcs) {
+      cost.add(problem_.costs()[a]);
+      best.arcs.push_back(problem_.arc(a));
+      for (std::size_t k = 0; k < covered.size(); ++k) covered[k][best.arcs.back()[k]] = true;
+    }
+    for (int k = 0; k < problem_.num_dimensions(); ++k) {
+      const auto singletons = problem_.singleton_costs(k);
+      for (Index i = 1; i < singletons.size(); ++i) {
+        if (covered[static_cast<std::size_t>(k)][i]) continue;
+        if (singletons[i] == kInfinity) missing_.push_back({k, i});
+        else cost.add(singletons[i]);
+      }
+    }
+    if (!missing_.empty()) return;
+    best.cost = solution.cost = cost.high();
+    solution.solutions.push_back(std::move(best));
+  }
+
+  void merge_multipliers(Solution& solution) const {
+    for (int k = 0; k < problem_.num_dimensions(); ++k) {
+      const std::vector<double>& base = shift_.base[static_cast<std::size_t>(k)];
+      solution.multipliers.emplace_back(base.begin() + 1, base.end());
+    }
+    for (const Part& part : parts_) {
+      const std::vector<double>& u = part.solver->state().u;
+      for (std::size_t k = 0; k < part.component.sizes.size(); ++k) {
+        for (Index i = 1; i <= part.component.sizes[k]; ++i) {
+          const std::uint32_t slot = part.component.offset[k] + i;
+          solution.multipliers[part.component.dimensions[k]][part.component.origin[slot] - 1] += u[slot];
+        }
+      }
+    }
+  }
+
+  void merge_bounds(Solution& solution) const {
+    solution.stats.certificate_bound = certificate_bound(problem_, solution.multipliers);
+    double error = 0;
+    for (const Part& part : parts_) error += part.solver->precision().error;
+    const double branched = total(&lower_bound) - error;
+    solution.lower_bound = std::max(solution.stats.certificate_bound, branched);
+    if (!solution.solutions.empty()) solution.lower_bound = std::min(solution.lower_bound, solution.cost);
+    solution.stats.bound_by_branching = solution.lower_bound > solution.stats.certificate_bound;
+  }
+
+  void set_status(Solution& solution) const {
+    bool complete = true;
+    Status stopped = Status::kIterationLimit;
+    double error = 0;
+    for (const Part& part : parts_) {
+      const ComponentState& state = part.solver->state();
+      error += 2 * part.solver->precision().error;
+      complete = complete && state.complete;
+      if (!state.complete && state.stopped != Status::kOptimal) stopped = state.stopped;
+    }
+    if (deadline_.interrupted()) stopped = Status::kInterrupted;
+    else if (deadline_.expired()) stopped = Status::kTimeLimit;
+    if (!missing_.empty()) return set_infeasible(solution, complete, stopped);
+    const double allowed = std::max(options_.relative_gap, 1e-9) * std::abs(solution.cost);
+    if (complete && (error <= 1e-9 * std::abs(solution.cost) || error <= 1e-9 * smallest_cost())) {
+      solution.status = Status::kOptimal;
+      solution.proven = solution.solutions.front().proven = true;
+    } else if (complete) {
+      solution.status = Status::kPrecisionLost;
+      solution.reason = "the rounding of the costs hides differences of " + std::to_string(error);
+    } else if (solution.gap() <= allowed) {
+      solution.status = Status::kGapReached;
+    } else {
+      solution.status = stopped;
+    }
+  }
+
+  void set_infeasible(Solution& solution, bool complete, Status stopped) const {
+    solution.cost = kInfinity;
+    if (complete || !solve::indices_without_arcs(problem_).empty()) {
+      solution.status = Status::kInfeasible;
+      solution.lower_bound = kInfinity;
+      solution.multipliers.clear();
+      solution.reason = solve::infeasibility_reason(problem_, missing_);
+    } else {
+      solution.status = stopped;
+      solution.lower_bound = solution.stats.certificate_bound;
+    }
+  }
+
+  // Least |c| > 0 of arcs and finite singletons.
+  double smallest_cost() const {
+    double least = kInfinity;
+    const auto note = [&](double cost) {
+      if (cost != 0 && std::isfinite(cost)) least = std::min(least, std::abs(cost));
+    };
+    for (const double cost : problem_.costs()) note(cost);
+    for (int k = 0; k < problem_.num_dimensions(); ++k) {
+      for (const double cost : problem_.singleton_costs(k)) note(cost);
+    }
+    return least;
+  }
+
+  const Problem& problem_;
+  const Options& options_;
+  std::stop_source stop_;
+  std::stop_callback<StopForwarder> forward_stop_;
+  core::Deadline deadline_;
+  core::Shift shift_;
+  core::CostGrid grid_;
+  decompose::Partition partition_;
+  std::vector<Part> parts_;
+  std::vector<solve::RealIndex> missing_;  // forbidden singletons that the best packing leaves uncovered
+};
+
+}  // namespace
+
+Solution solve(const Problem& problem, const Options& options) {
+  validate(options);
+  return Pipeline(problem, options).run();
+}
+
+}  // namespace nda
