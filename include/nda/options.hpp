@@ -34,8 +34,8 @@ struct RelaxationOptions {
 
 /// Search for good solutions besides the recovery.
 struct SearchOptions {
-  bool local_search = true;     ///< improve every recovered solution
-  int perturbations = 2000;     ///< kicks of the iterated local search per round; >= 0
+  bool local_search = true;   ///< iterated local search after the relaxation
+  int kicks_per_index = 50;   ///< its length: random moves per index of the component; >= 0
 };
 
 /// Branch and bound.

@@ -26,7 +26,7 @@ void validate(const Options& options) {
           relaxation.recovery_interval, "1 or more");
   require(relaxation.relative_tolerance >= 0, "relaxation.relative_tolerance",
           relaxation.relative_tolerance, "0 or more");
-  require(options.search.perturbations >= 0, "search.perturbations", options.search.perturbations,
+  require(options.search.kicks_per_index >= 0, "search.kicks_per_index", options.search.kicks_per_index,
           "0 or more");
   require(options.branch.max_nodes >= 0, "branch.max_nodes",
           static_cast<double>(options.branch.max_nodes), "0 or more");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/clock.hpp"
 #include "core/component.hpp"
 #include "nda/options.hpp"
 #include "relax/dual_function.hpp"

@@ -7,9 +7,10 @@
 #include "core/component.hpp"
 #include "core/shift.hpp"
 #include "nda/options.hpp"
+#include "nda/solution.hpp"
 #include "solve/monitor.hpp"
 
-namespace nda::solve {
+namespace nda::pipeline {
 
 /// Tells equal costs from different ones within a component (docs/numerics.md).
 struct Precision {
@@ -58,7 +59,8 @@ class ComponentSolver {
   void solve_assignment();
   void enumerate();
   void relax();
-  void search(std::int64_t kicks);
+  void search(int effort);
+  std::vector<core::ArcId> promising_arcs() const;
   void branch(double allowed_gap);
   bool offer(const core::Packing& packing, const char* event);
   void raise_bound(double lower, const char* event);
@@ -74,4 +76,4 @@ class ComponentSolver {
   ComponentState state_;
 };
 
-}  // namespace nda::solve
+}  // namespace nda::pipeline

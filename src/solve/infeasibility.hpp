@@ -5,7 +5,7 @@
 
 #include "nda/problem.hpp"
 
-namespace nda::solve {
+namespace nda::pipeline {
 
 /// A real index: dimension k (from 0) and number i (from 1).
 struct RealIndex {
@@ -21,4 +21,4 @@ std::string infeasibility_reason(const Problem& problem, const std::vector<RealI
 /// Indices that no arc contains though their singleton is forbidden.
 std::vector<RealIndex> indices_without_arcs(const Problem& problem);
 
-}  // namespace nda::solve
+}  // namespace nda::pipeline

@@ -1,6 +1,6 @@
 #include "solve/monitor.hpp"
 
-namespace nda::solve {
+namespace nda::pipeline {
 
 Monitor::Monitor(const std::function<bool(const Progress&)>& callback, double constant,
                  std::size_t num_components, std::stop_source stop)
@@ -33,4 +33,4 @@ void Monitor::tell(const char* event) {
   if (!callback_(progress_)) stop_.request_stop();
 }
 
-}  // namespace nda::solve
+}  // namespace nda::pipeline

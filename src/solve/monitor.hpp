@@ -7,7 +7,7 @@
 #include "core/clock.hpp"
 #include "nda/options.hpp"
 
-namespace nda::solve {
+namespace nda::pipeline {
 
 /// Adds up what the components report and tells the user; safe to call from several threads.
 class Monitor {
@@ -33,4 +33,4 @@ class Monitor {
   Progress progress_;
 };
 
-}  // namespace nda::solve
+}  // namespace nda::pipeline

@@ -28,9 +28,9 @@ namespace {
 
 using core::ArcId;
 using core::Component;
-using solve::ComponentSolver;
-using solve::ComponentState;
-using solve::Monitor;
+using pipeline::ComponentSolver;
+using pipeline::ComponentState;
+using pipeline::Monitor;
 
 // What merging takes per arc: the certificate, in double-double.
 constexpr double kMergeSecondsPerArc = 1e-8;
@@ -121,7 +121,7 @@ class Pipeline {
     merge_bounds(solution);
     set_status(solution);
     solution.stats.solve_seconds = deadline_.seconds();
-    solution.stats.peak_memory_bytes = solve::peak_memory_bytes();
+    solution.stats.peak_memory_bytes = pipeline::peak_memory_bytes();
     return solution;
   }
 
@@ -233,11 +233,11 @@ class Pipeline {
 
   void set_infeasible(Solution& solution, bool complete, Status stopped) const {
     solution.cost = kInfinity;
-    if (complete || !solve::indices_without_arcs(problem_).empty()) {
+    if (complete || !pipeline::indices_without_arcs(problem_).empty()) {
       solution.status = Status::kInfeasible;
       solution.lower_bound = kInfinity;
       solution.multipliers.clear();
-      solution.reason = solve::infeasibility_reason(problem_, missing_);
+      solution.reason = pipeline::infeasibility_reason(problem_, missing_);
     } else {
       solution.status = stopped;
       solution.lower_bound = solution.stats.certificate_bound;
@@ -266,7 +266,7 @@ class Pipeline {
   core::CostGrid grid_;
   decompose::Partition partition_;
   std::vector<Part> parts_;
-  std::vector<solve::RealIndex> missing_;  // forbidden singletons that the best packing leaves uncovered
+  std::vector<pipeline::RealIndex> missing_;  // forbidden singletons that the best packing leaves uncovered
 };
 
 }  // namespace

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "cli/command.hpp"
+
+namespace nda::cli {
+
+// What each <name>_command.cpp defines: Command::declare of that command.
+
+Action declare_convert(CLI::App& parser);
+
+}  // namespace nda::cli

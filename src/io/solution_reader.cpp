@@ -1,0 +1,170 @@
+#include <array>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "io/json_node.hpp"
+#include "io/scanner.hpp"
+#include "nda/io.hpp"
+
+namespace nda {
+namespace {
+
+using io::JsonNode;
+
+constexpr std::uint64_t kMaxIndex = std::numeric_limits<Index>::max();
+constexpr std::uint64_t kMaxCount = std::numeric_limits<std::int64_t>::max();
+constexpr std::uint64_t kVersion = 1;
+
+std::size_t count(const JsonNode& node) {
+  return node.whole(kMaxCount);
+}
+
+Status status(const JsonNode& node) {
+  constexpr std::array kAll = {Status::kOptimal,
+                               Status::kGapReached,
+                               Status::kTimeLimit,
+                               Status::kIterationLimit,
+                               Status::kNodeLimit,
+                               Status::kInterrupted,
+                               Status::kInfeasible,
+                               Status::kPrecisionLost};
+  for (const Status candidate : kAll) {
+    if (node.text() == to_string(candidate)) return candidate;
+  }
+  node.fail("unknown status " + io::in_quotes(node.text()));
+}
+
+std::vector<Index> indices(const JsonNode& node) {
+  std::vector<Index> result;
+  result.reserve(node.size());
+  for (std::size_t i = 0; i < node.size(); ++i) {
+    result.push_back(static_cast<Index>(node[i].whole(kMaxIndex)));
+  }
+  return result;
+}
+
+std::vector<double> numbers(const JsonNode& node) {
+  std::vector<double> result;
+  result.reserve(node.size());
+  for (std::size_t i = 0; i < node.size(); ++i) result.push_back(node[i].number());
+  return result;
+}
+
+void read_instance(const JsonNode& node, Solution& solution) {
+  solution.sizes = indices(node["sizes"]);
+  const JsonNode dimensions = node["dimensions"];
+  if (dimensions.whole(kMaxCount) != solution.sizes.size()) {
+    dimensions.fail("differs from the number of sizes, " + std::to_string(solution.sizes.size()));
+  }
+  solution.num_arcs = count(node["arcs"]);
+  solution.num_components = count(node["components"]);
+}
+
+RankedSolution ranked_solution(const JsonNode& node, std::size_t num_dimensions) {
+  RankedSolution result;
+  result.rank = static_cast<int>(node["rank"].whole(std::numeric_limits<int>::max()));
+  result.cost = node["cost"].number();
+  result.proven = node["proven"].boolean();
+  const JsonNode arcs = node["arcs"];
+  for (std::size_t a = 0; a < arcs.size(); ++a) {
+    const JsonNode arc = arcs[a];
+    if (arc.size() != num_dimensions) {
+      arc.fail("has " + std::to_string(arc.size()) + " indices, expected " +
+               std::to_string(num_dimensions));
+    }
+    result.arcs.push_back(indices(arc));
+  }
+  return result;
+}
+
+ComponentReport component(const JsonNode& node) {
+  ComponentReport result;
+  result.num_arcs = count(node["arcs"]);
+  result.num_indices = count(node["indices"]);
+  result.status = status(node["status"]);
+  result.proven = node["proven"].boolean();
+  result.cost = node["cost"].number();
+  result.lower_bound = node["lower_bound"].number();
+  result.method = node["method"].text();
+  return result;
+}
+
+Stats stats(const JsonNode& node) {
+  Stats result;
+  result.read_seconds = node["read_seconds"].number();
+  result.solve_seconds = node["solve_seconds"].number();
+  result.peak_memory_bytes = count(node["peak_memory_bytes"]);
+  result.dual_evaluations = static_cast<std::int64_t>(count(node["dual_evaluations"]));
+  result.recoveries = static_cast<std::int64_t>(count(node["recoveries"]));
+  result.nodes = static_cast<std::int64_t>(count(node["nodes"]));
+  result.arcs_after_shift = count(node["arcs_after_shift"]);
+  result.arcs_after_fixing = count(node["arcs_after_fixing"]);
+  result.certificate_bound = node["certificate_bound"].number();
+  result.bound_by_branching = node["bound_by_branching"].boolean();
+  return result;
+}
+
+void check_format(const JsonNode& root) {
+  const JsonNode format = root["format"];
+  if (format.text() != "nda-solution") {
+    format.fail("expected 'nda-solution', found " + io::in_quotes(format.text()));
+  }
+  const JsonNode version = root["version"];
+  if (version.whole(kMaxCount) != kVersion) {
+    version.fail("version " + std::to_string(version.whole(kMaxCount)) +
+                 " is not supported, only " + std::to_string(kVersion));
+  }
+}
+
+Solution solution(const JsonNode& root) {
+  check_format(root);
+  Solution result;
+  read_instance(root["instance"], result);
+  result.status = status(root["status"]);
+  result.proven = root["proven"].boolean();
+  result.reason = root["reason"].text();
+  result.cost = root["cost"].number();
+  result.lower_bound = root["lower_bound"].number();
+  root["gap"].number();
+  root["relative_gap"].number();
+  const JsonNode solutions = root["solutions"];
+  for (std::size_t i = 0; i < solutions.size(); ++i) {
+    result.solutions.push_back(ranked_solution(solutions[i], result.sizes.size()));
+  }
+  const JsonNode multipliers = root["multipliers"];
+  for (std::size_t k = 0; k < multipliers.size(); ++k) {
+    result.multipliers.push_back(numbers(multipliers[k]));
+  }
+  if (root["cuts"].size() != 0) root["cuts"].fail("cuts are not supported");
+  const JsonNode components = root["components"];
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    result.components.push_back(component(components[i]));
+  }
+  result.stats = stats(root["stats"]);
+  return result;
+}
+
+// The message of nlohmann-json without its error number, and with anything unprintable escaped.
+std::string syntax_message(const nlohmann::json::exception& error) {
+  std::string message = error.what();
+  const std::size_t start = message.find("] ");
+  if (start != std::string::npos) message.erase(0, start + 2);
+  std::string result = "invalid JSON: ";
+  for (const char c : message) result += c >= ' ' && c <= '~' ? c : '?';
+  return result;
+}
+
+}  // namespace
+
+Solution solution_from_json(std::string_view text) {
+  nlohmann::json document;
+  try {
+    document = nlohmann::json::parse(text);
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(syntax_message(error));
+  }
+  return solution(JsonNode(document));
+}
+
+}  // namespace nda
