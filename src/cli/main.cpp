@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -63,7 +64,10 @@ int main_program(int argc, char** argv) {
     CLI::App* subcommand = parser.add_subcommand(command.name, command.summary);
     actions.emplace_back(subcommand, command.declare(*subcommand));
   }
-  if (argc > 1 && argv[1][0] != '-' && parser.get_subcommand_no_throw(argv[1]) == nullptr) {
+  const auto names = [&](const Command& command) {
+    return argc > 1 && argv[1] == std::string(command.name);
+  };
+  if (argc > 1 && argv[1][0] != '-' && std::none_of(commands().begin(), commands().end(), names)) {
     return fail("unknown command '" + std::string(argv[1]) + "' (nda --help lists the commands)");
   }
   try {
