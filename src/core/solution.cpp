@@ -7,14 +7,22 @@ namespace nda {
 
 const char* to_string(Status status) {
   switch (status) {
-    case Status::kOptimal: return "optimal";
-    case Status::kGapReached: return "gap_reached";
-    case Status::kTimeLimit: return "time_limit";
-    case Status::kIterationLimit: return "iteration_limit";
-    case Status::kNodeLimit: return "node_limit";
-    case Status::kInterrupted: return "interrupted";
-    case Status::kInfeasible: return "infeasible";
-    case Status::kPrecisionLost: return "precision_lost";
+    case Status::kOptimal:
+      return "optimal";
+    case Status::kGapReached:
+      return "gap_reached";
+    case Status::kTimeLimit:
+      return "time_limit";
+    case Status::kIterationLimit:
+      return "iteration_limit";
+    case Status::kNodeLimit:
+      return "node_limit";
+    case Status::kInterrupted:
+      return "interrupted";
+    case Status::kInfeasible:
+      return "infeasible";
+    case Status::kPrecisionLost:
+      return "precision_lost";
   }
   return "unknown";
 }

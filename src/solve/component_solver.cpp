@@ -14,9 +14,9 @@
 #include "recovery/recursive.hpp"
 #include "relax/lagrangian.hpp"
 
-// The order of work on one component follows what was measured (docs/pipeline.md): enumerate the small ones;
-// relax to two dimensions, recovering on the way; improve the best packing; drop what reduced costs exclude;
-// branch on what is left, with the same relaxation as bound in every node.
+// The order of work on one component follows what was measured (docs/pipeline.md): enumerate the
+// small ones; relax to two dimensions, recovering on the way; improve the best packing; drop what
+// reduced costs exclude; branch on what is left, with the same relaxation as bound in every node.
 
 namespace nda::pipeline {
 namespace {
@@ -66,13 +66,17 @@ Precision precision_of(const Component& component, const core::CostGrid& grid) {
   for (const double cost : component.costs) largest = std::max(largest, std::abs(cost));
   Precision precision;
   precision.error = 0x1p-50 * static_cast<double>(component.num_indices()) * largest;
-  precision.margin = grid.step > 8 * precision.error ? grid.step - 2 * precision.error : precision.error;
+  precision.margin =
+      grid.step > 8 * precision.error ? grid.step - 2 * precision.error : precision.error;
   return precision;
 }
 
-ComponentSolver::ComponentSolver(const Component& component, const Options& options,
-                                 const core::CostGrid& grid, std::uint64_t seed,
-                                 const core::Deadline& deadline, Monitor& monitor)
+ComponentSolver::ComponentSolver(const Component& component,
+                                 const Options& options,
+                                 const core::CostGrid& grid,
+                                 std::uint64_t seed,
+                                 const core::Deadline& deadline,
+                                 Monitor& monitor)
     : component_(component),
       options_(options),
       deadline_(deadline),
@@ -82,13 +86,14 @@ ComponentSolver::ComponentSolver(const Component& component, const Options& opti
   state_.live_arcs = component.num_arcs();
   state_.u.assign(component.num_slots(), 0.0);
   state_.certificate = state_.lower = relax::make_feasible(component, state_.u);
-  monitor_.moved(0.0, state_.lower, "coordinate ascent");
+  monitor_.add_component(state_.lower);
 }
 
 void ComponentSolver::start() {
   if (deadline_.reached()) return;
   if (component_.num_dimensions() == 2) return solve_assignment();
-  if (component_.num_arcs() <= options_.branch.exact_arcs || options_.method == Method::kExact) enumerate();
+  if (component_.num_arcs() <= options_.branch.exact_arcs || options_.method == Method::kExact)
+    enumerate();
   if (state_.complete) return;
   offer(recovery::greedy(component_, component_.costs), "greedy");
   relax();
@@ -163,8 +168,8 @@ void ComponentSolver::relax() {
   }
 }
 
-// Searches among the arcs of least reduced cost only: no packing better than the best uses an arc whose
-// reduced cost exceeds the gap, and the few cheapest of the rest are the ones that matter.
+// Searches among the arcs of least reduced cost only: no packing better than the best uses an arc
+// whose reduced cost exceeds the gap, and the few cheapest of the rest are the ones that matter.
 void ComponentSolver::search(int effort) {
   if (state_.complete || !options_.search.local_search || deadline_.reached()) return;
   const std::vector<ArcId> core_arcs = promising_arcs();
@@ -173,16 +178,19 @@ void ComponentSolver::search(int effort) {
   core::Random random(seed_ + static_cast<std::uint64_t>(effort));
   Packing packing = state_.best;
   for (ArcId& a : packing.arcs) {
-    a = static_cast<ArcId>(std::lower_bound(core_arcs.begin(), core_arcs.end(), a) - core_arcs.begin());
+    a = static_cast<ArcId>(std::lower_bound(core_arcs.begin(), core_arcs.end(), a) -
+                           core_arcs.begin());
   }
   const std::int64_t kicks = std::int64_t{effort} * options_.search.kicks_per_index *
                              static_cast<std::int64_t>(core.num_indices());
-  recovery::LocalSearch(core).improve(packing, kicks, state_.lower + precision_.error, random, deadline_);
+  recovery::LocalSearch(core).improve(
+      packing, kicks, state_.lower + precision_.error, random, deadline_);
   for (ArcId& a : packing.arcs) a = core_arcs[a];
   offer(packing, "local search");
 }
 
-// Arcs of reduced cost below the gap, at most kCoreArcsPerIndex per index, and those of the best packing.
+// Arcs of reduced cost below the gap, at most kCoreArcsPerIndex per index, and those of the best
+// packing.
 std::vector<ArcId> ComponentSolver::promising_arcs() const {
   const double gap = state_.best.cost - state_.certificate;
   std::vector<std::pair<double, ArcId>> ranked;
@@ -192,7 +200,8 @@ std::vector<ArcId> ComponentSolver::promising_arcs() const {
   }
   const std::size_t limit = kCoreArcsPerIndex * component_.num_indices();
   if (ranked.size() > limit) {
-    std::nth_element(ranked.begin(), ranked.begin() + static_cast<std::ptrdiff_t>(limit), ranked.end());
+    std::nth_element(
+        ranked.begin(), ranked.begin() + static_cast<std::ptrdiff_t>(limit), ranked.end());
     ranked.resize(limit);
   }
   std::vector<ArcId> arcs = state_.best.arcs;
@@ -255,7 +264,8 @@ bool ComponentSolver::offer(const Packing& packing, const char* event) {
 }
 
 void ComponentSolver::raise_bound(double lower, const char* event) {
-  // Nothing is cheaper than the best by less than the margin, so a bound in between proves the best.
+  // Nothing is cheaper than the best by less than the margin, so a bound in between proves the
+  // best.
   const bool meets = std::max(lower, state_.lower) >= cutoff();
   if (meets) lower = std::max(lower, state_.best.cost - precision_.error);
   if (lower > state_.lower) {

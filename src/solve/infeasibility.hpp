@@ -13,9 +13,9 @@ struct RealIndex {
   Index index;
 };
 
-/// The reason of an infeasible problem in one sentence.  `uncovered`: forbidden-singleton indices that the best
-/// solution of the penalised problem leaves uncovered; it covers as many as can be covered at once
-/// as far as the penalty sees.
+/// The reason of an infeasible problem in one sentence.  `uncovered`: forbidden-singleton indices
+/// that the best solution of the penalised problem leaves uncovered; it covers as many as can be
+/// covered at once as far as the penalty sees.
 std::string infeasibility_reason(const Problem& problem, const std::vector<RealIndex>& uncovered);
 
 /// Indices that no arc contains though their singleton is forbidden.

@@ -14,11 +14,13 @@ class Monitor {
  public:
   /// @param constant  cost of choosing nothing: components report shifted costs.
   /// @param stop      asked to stop when the user's callback returns false.
-  Monitor(const std::function<bool(const Progress&)>& callback, double constant,
-          std::size_t num_components, std::stop_source stop);
+  Monitor(const std::function<bool(const Progress&)>& callback,
+          double constant,
+          std::size_t num_components,
+          std::stop_source stop);
 
-  /// The sum of the components' bounds becomes known.
-  void set_bound(double lower_bound);
+  /// A component has its first bound.  The sum is a bound once all have one; -inf until then.
+  void add_component(double lower_bound);
   /// A component's best cost and bound moved by so much.
   void moved(double cost_change, double bound_change, const char* event);
   void component_done();
@@ -30,6 +32,8 @@ class Monitor {
   std::stop_source stop_;
   core::Stopwatch watch_;
   std::mutex mutex_;
+  std::size_t num_unbounded_;
+  double bound_sum_;
   Progress progress_;
 };
 

@@ -183,6 +183,7 @@ TEST(SolutionJson, NamesThePlaceOfASyntaxError) {
               HasSubstr("invalid JSON: parse error at line 2, column 11"));
   EXPECT_THAT(error("{\"cost\": 1e999}"), HasSubstr("invalid JSON: number overflow"));
   EXPECT_THAT(error("\"\xff\x01"), HasSubstr("invalid JSON: parse error at line 1, column 2"));
+  EXPECT_LT(error("[\"" + std::string(1000000, 'x')).size(), 300u);
   EXPECT_EQ(error("[]"), "expected an object, found array");
   EXPECT_THAT(error(std::string(1000000, '[')), HasSubstr("invalid JSON: parse error"));
 }
