@@ -50,6 +50,7 @@ class Bundle {
   double aggregate_norm2() const { return norm2_; }  ///< |aggregate|^2
   double aggregate_error() const { return error_; }  ///< sum of weight[i] error[i]
   double predicted_increase() const { return step_ * norm2_ + error_; }  ///< model(d) - q(c)
+  double master_value() const { return step_ * norm2_ / 2 + error_; }    ///< optimum of the master
   std::span<const double> aggregate() const { return {columns_[aggregate_].data(), n_}; }
 
   /// The aggregate as a combination of the evaluations; empty unless asked for.

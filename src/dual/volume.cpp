@@ -6,14 +6,15 @@
 // tends to a primal optimum; Iterate::primal_step hands out alpha.
 //
 // As in the paper: alpha minimises |alpha g + (1 - alpha) v| between a tenth of its upper limit and
-// that limit, which starts at 0.1 and is halved when the value stalls; step = f (T - q) / |v|^2;
-// f shrinks after a run of red steps (no increase) and grows after a green one (increase, and g'v
-// >= 0). Different: targets T are measured from q(start), not from 0, so that adding a constant to
-// q changes nothing, and are doubled rather than raised by 5 % when reached; f shrinks after 10 red
-// steps, not 20, the limit of alpha is tried against the last 50 evaluations, not 100, and starts
-// at 0.2: runs here have hundreds of steps, not thousands.  The run ends when the linearisation
-// error of the average and its norm times the distance covered are both small, the test of the
-// bundle method.
+// that limit, which is halved when the value stalls; step = f (T - q) / |v|^2; f shrinks after red
+// steps (no increase) and grows after a green one (increase, and g'v >= 0).
+// Different: targets T are measured from q(start), not from 0, so that adding a constant to q
+// changes nothing, and doubled rather than raised by 5 % when reached; f is halved at every red
+// step, not by a third after 20 of them, without a floor; the limit of alpha starts at 0.8, not
+// 0.1, and is tried against the last 50 evaluations, not 100.  The paper has thousands of steps in
+// mind, here they are hundreds, and T is only a guess.  The run ends when the linearisation error
+// of the average and its norm times the distance covered are both small, the test of the bundle
+// method.
 #include <algorithm>
 #include <cmath>
 
@@ -23,16 +24,14 @@
 namespace nda::dual {
 namespace {
 
-constexpr double kFirstLimit = 0.2;  // of alpha
+constexpr double kFirstLimit = 0.8;  // of alpha
 constexpr double kLeastLimit = 1e-5;
 constexpr int kLimitPeriod = 50;      // evaluations between trials of the limit
 constexpr double kLimitRise = 0.01;   // a relative rise in such a period that keeps it
 constexpr double kFirstFactor = 0.5;  // f
 constexpr double kMostFactor = 2;
-constexpr double kLeastFactor = 5e-4;
 constexpr double kGreen = 1.1;
-constexpr double kRed = 0.66;
-constexpr int kRedSteps = 10;
+constexpr double kRed = 0.5;
 constexpr double kNearTarget = 0.95;
 
 double dot(std::span<const double> a, std::span<const double> b) {
@@ -86,7 +85,6 @@ class Volume {
   double factor_ = kFirstFactor;
   double limit_ = kFirstLimit;
   double limit_value_ = 0;  // q(centre) when limit_ was last tried
-  int red_ = 0;
 };
 
 void Volume::evaluate_start() {
@@ -131,10 +129,8 @@ void Volume::accept(double value) {
 void Volume::adapt_factor(bool improved, double slope) {
   if (improved) {
     if (slope >= 0) factor_ = std::min(kMostFactor, factor_ * kGreen);
-    red_ = 0;
-  } else if (++red_ >= kRedSteps) {
-    factor_ = std::max(kLeastFactor, factor_ * kRed);
-    red_ = 0;
+  } else {
+    factor_ *= kRed;
   }
 }
 
