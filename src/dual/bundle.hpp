@@ -36,6 +36,9 @@ class Bundle {
   /// candidate'd for the d of the last solve.
   double candidate_slope() const { return candidate_slope_; }
 
+  /// |candidate| |d|: the size of the terms of candidate_slope().
+  double candidate_reach() const;
+
   /// Keeps the candidate, with its linearisation error at the centre.  When full, drops the
   /// subgradient unused for longest; if all are in use, replaces one by the aggregate.
   void insert_candidate(double error, int evaluation);

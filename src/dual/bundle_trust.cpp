@@ -26,11 +26,12 @@
 //   serious steps were the rule on tracking problems, each of them fine by SS(i) and SS(ii).
 // - Until the first serious step, a trial that falls by a good part of v shrinks t by the parabola
 //   whatever its plane: the first t is only a guess, and may be wrong by orders of magnitude.
-// - First t: the length of Polyak's step (expected increase) / |g|^2.
+// - First t: Polyak's, (expected increase) / |g|^2.
 // - False convergence.  v is small wherever t is small, so v alone proves nothing.  What proves is
-//   q(w) <= q(c) + error + |aggregate| |w - c|, with |w - c| at most the radius reached so far.  If
-//   v is below the tolerance but this is not, t grows tenfold and the master is solved again, at no
-//   evaluation, until either the proof is there or the model sees an increase worth a trial.
+//   q(w) <= q(c) + error + |aggregate| |w - c|, with |w - c| up to the distance that was expected
+//   or has been covered.  If v is below the tolerance but this is not, t grows tenfold and the
+//   master is solved again, at no evaluation, until the proof is there or the model sees an
+//   increase that is worth a trial.
 // - It also ends when a null step leaves the master's value as it was: then rounding hides the new
 //   plane, and no further trial at this t can be different.
 #include <algorithm>
@@ -54,6 +55,8 @@ constexpr double kFall = 0.3;           // part of v
 constexpr double kRunGrowth = 1.2;
 constexpr int kRun = 2;  // serious steps
 constexpr double kMostStep = 1e200;
+/// Added to the error of a plane, relative to its terms, so that the plane stays above q.
+constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
 
 class BundleTrust {
  public:
@@ -127,9 +130,9 @@ void BundleTrust::evaluate_start() {
   if (options_.initial_step > 0) {
     step_ = options_.initial_step;
   } else if (norm2 > 0) {
-    step_ = recorder_.expected_increase(std::sqrt(norm2)) / norm2;
+    step_ = recorder_.expected_increase() / norm2;
   }
-  radius_ = step_ * std::sqrt(norm2);
+  radius_ = recorder_.expected_distance();
   recorder_.report(centre_, centre_value_, true);
 }
 
@@ -197,11 +200,12 @@ void BundleTrust::try_trial() {
   bundle_.measure_candidate();
   const double increase = value - centre_value_;
   const double slope = bundle_.candidate_slope();
+  const double rounding = kRounding * (std::abs(value) + bundle_.candidate_reach());
   const bool serious = increase > 0 && increase >= kSerious * predicted;
   if (serious) {
     accept(value, slope, predicted);
   } else {
-    reject(increase, increase - slope, predicted);
+    reject(increase, increase - slope + rounding, predicted);
   }
   recorder_.report(serious ? centre_ : trial_, value, serious);
 }

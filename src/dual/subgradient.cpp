@@ -94,7 +94,7 @@ bool Subgradient::step() {
 
 MaximizeResult Subgradient::run() {
   evaluate();
-  gap_ = kFirstGap * recorder_.expected_increase(norm_);
+  gap_ = kFirstGap * recorder_.expected_increase();
   begin_phase();
   while (!recorder_.stopped() && step()) {
     evaluate();
