@@ -5,6 +5,7 @@ namespace {
 
 constexpr Command kCommands[] = {
     {"convert", "read a problem in one format and write it in another", declare_convert},
+    {"generate", "make a problem of a benchmark family", declare_generate},
 };
 
 }  // namespace

@@ -7,5 +7,6 @@ namespace nda::cli {
 // What each <name>_command.cpp defines: Command::declare of that command.
 
 Action declare_convert(CLI::App& parser);
+Action declare_generate(CLI::App& parser);
 
 }  // namespace nda::cli
