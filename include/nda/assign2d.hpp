@@ -34,17 +34,18 @@ inline constexpr std::int32_t kUnassigned = -1;
 
 /// Answer of a two-dimensional solver.
 ///
-/// When feasible the duals prove optimality: u[i] + v[j] <= cost(i, j) for every pair, u <= row_outside,
-/// v <= column_outside, with equality for chosen pairs and for unassigned rows and columns (to rounding),
-/// so that sum u + sum v = cost.  When infeasible, `hall_rows` or `hall_columns` names a set that cannot all
-/// be assigned: together they have fewer partners than members.  cost is then +inf, the duals are meaningless.
+/// When feasible the duals prove optimality: u[i] + v[j] <= cost(i, j) for every pair, u <=
+/// row_outside, v <= column_outside, with equality for chosen pairs and for unassigned rows and
+/// columns (to rounding), so that sum u + sum v = cost.  When infeasible, `hall_rows` or
+/// `hall_columns` names a set that cannot all be assigned: together they have fewer partners than
+/// members.  cost is then +inf, the duals are meaningless.
 struct Assign2dResult {
   bool feasible = true;
   double cost = 0;
   std::vector<std::int32_t> column_of_row;  ///< kUnassigned = outside option
   std::vector<std::int32_t> row_of_column;
-  std::vector<double> u;                    ///< dual of each row
-  std::vector<double> v;                    ///< dual of each column
+  std::vector<double> u;  ///< dual of each row
+  std::vector<double> v;  ///< dual of each column
   std::vector<std::uint32_t> hall_rows;
   std::vector<std::uint32_t> hall_columns;
 };
@@ -89,9 +90,9 @@ std::unique_ptr<Assign2dSolver> make_assign2d_solver(Assign2dMethod method);
 Assign2dResult assign2d(const Assign2dProblem& problem,
                         Assign2dMethod method = Assign2dMethod::kShortestPath);
 
-/// Solves one dense problem as scipy's linear_sum_assignment does: every member of the smaller side is
-/// assigned, of a square problem every row and column; surplus members of the larger side are free
-/// of charge.
+/// Solves one dense problem as scipy's linear_sum_assignment does: every member of the smaller side
+/// is assigned, of a square problem every row and column; surplus members of the larger side are
+/// free of charge.
 ///
 /// @param cost_row_major  num_rows * num_columns costs; +inf forbids a pair.
 /// Throws InputError for another size, and for costs NaN or -inf.

@@ -10,13 +10,16 @@ namespace nda {
 
 /// The verdict of the independent checker.
 struct CheckReport {
-  bool feasible = false;        ///< every real index used exactly once, every arc exists, nothing forbidden
-  bool cost_right = false;      ///< the stated cost is the recomputed one (1e-9 relative)
-  bool bound_right = false;     ///< the stated bound is not above what the multipliers or branching prove
-  bool bound_by_branching = false;  ///< the stated bound exceeds the certificate's: not checkable without a proof
-  double cost = kInfinity;      ///< recomputed, of the first solution
+  bool feasible =
+      false;  ///< every real index used exactly once, every arc exists, nothing forbidden
+  bool cost_right = false;  ///< the stated cost is the recomputed one (1e-9 relative)
+  bool bound_right =
+      false;  ///< the stated bound is not above what the multipliers or branching prove
+  bool bound_by_branching =
+      false;  ///< the stated bound exceeds the certificate's: not checkable without a proof
+  double cost = kInfinity;                ///< recomputed, of the first solution
   double certificate_bound = -kInfinity;  ///< recomputed from the multipliers, rounded down
-  std::vector<std::string> faults;  ///< one sentence each; empty when all is right
+  std::vector<std::string> faults;        ///< one sentence each; empty when all is right
 
   bool passed() const { return faults.empty(); }
 };

@@ -26,33 +26,33 @@ enum class Method {
 struct RelaxationOptions {
   DualMethod dual_method = DualMethod::kBundleTrust;
   Assign2dMethod assign2d = Assign2dMethod::kShortestPath;  ///< evaluates the dual function
-  int max_evaluations = 300;          ///< of the dual function of each large component; >= 1
-  int recovery_evaluations = 20;      ///< of each lower-dimensional recovery problem; >= 1
-  int recovery_interval = 10;         ///< recover at every so many evaluations; >= 1
-  double relative_tolerance = 1e-7;   ///< stop when the predicted increase falls below; >= 0
+  int max_evaluations = 300;         ///< of the dual function of each large component; >= 1
+  int recovery_evaluations = 20;     ///< of each lower-dimensional recovery problem; >= 1
+  int recovery_interval = 10;        ///< recover at every so many evaluations; >= 1
+  double relative_tolerance = 1e-7;  ///< stop when the predicted increase falls below; >= 0
 };
 
 /// Search for good solutions besides the recovery.
 struct SearchOptions {
-  bool local_search = true;     ///< improve every recovered solution
-  int perturbations = 2000;     ///< kicks of the iterated local search per round; >= 0
+  bool local_search = true;  ///< iterated local search after the relaxation
+  int kicks_per_index = 50;  ///< its length: random moves per index of the component; >= 0
 };
 
 /// Branch and bound.
 struct BranchOptions {
   std::size_t exact_arcs = 60;  ///< components of at most so many arcs skip relaxation
   std::int64_t max_nodes = std::numeric_limits<std::int64_t>::max();  ///< per component; >= 0
-  int node_evaluations = 60;    ///< of the dual function at a node; >= 1
+  int node_evaluations = 60;  ///< of the dual function at a node; >= 1
 };
 
 /// What a progress callback sees; sums over all components.
 struct Progress {
-  double seconds = 0;           ///< since the solve began
-  double cost = kInfinity;      ///< of the best known solution
+  double seconds = 0;       ///< since the solve began
+  double cost = kInfinity;  ///< of the best known solution
   double lower_bound = -kInfinity;
   std::size_t components_done = 0;
   std::size_t num_components = 0;
-  const char* event = "";       ///< what found it: "greedy", "recovery", "local search", "bound", ...
+  const char* event = "";  ///< what found it: "greedy", "recovery", "local search", "bound", ...
 };
 
 /// Everything that can be asked of a solve.

@@ -13,9 +13,10 @@ namespace nda {
 /// An N-dimensional assignment problem, immutable once built.
 ///
 /// Index sets (dimensions) k = 0..N-1 hold the real indices 1..M_k; index 0 is the reusable dummy.
-/// An arc is a tuple (i_0..i_{N-1}) with a cost.  Minimise the total cost of the chosen arcs so that
-/// every real index is used by exactly one of them.  An arc with one real index is a *singleton*
-/// (false alarm, missed track); every index has one, of cost 0 unless set, +inf where forbidden.
+/// An arc is a tuple (i_0..i_{N-1}) with a cost.  Minimise the total cost of the chosen arcs so
+/// that every real index is used by exactly one of them.  An arc with one real index is a
+/// *singleton* (false alarm, missed track); every index has one, of cost 0 unless set, +inf where
+/// forbidden.
 ///
 /// Dimensions count from 0 in code and from 1 in files and messages.
 /// Source: Poore, AFOSR final report 1995, eq. (2.5) and (3.1).
@@ -51,7 +52,8 @@ class Problem {
   /// The arc with this tuple (N entries), if there is one.  O(N log num_arcs).
   std::optional<std::size_t> find(std::span<const Index> tuple) const;
 
-  /// Arcs that were given more than once (the cheapest was kept), and arcs of infinite cost: both dropped.
+  /// Arcs that were given more than once (the cheapest was kept), and arcs of infinite cost: both
+  /// dropped.
   std::size_t num_duplicates() const { return num_duplicates_; }
   std::size_t num_forbidden() const { return num_forbidden_; }
 

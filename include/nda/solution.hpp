@@ -40,9 +40,9 @@ const char* to_string(Status status);
 
 /// One feasible solution.
 struct RankedSolution {
-  int rank = 1;                          ///< 1 = best
-  double cost = 0;                       ///< of the arcs and of the singletons of all uncovered indices
-  bool proven = false;                   ///< no better solution of this rank exists
+  int rank = 1;         ///< 1 = best
+  double cost = 0;      ///< of the arcs and of the singletons of all uncovered indices
+  bool proven = false;  ///< no better solution of this rank exists
   std::vector<std::vector<Index>> arcs;  ///< tuples with two or more real indices, lexicographic
 };
 
@@ -59,7 +59,7 @@ struct ComponentReport {
 
 /// Counters and times of one solve.  Times are wall seconds.
 struct Stats {
-  double read_seconds = 0;            ///< set by the command line
+  double read_seconds = 0;  ///< set by the command line
   double solve_seconds = 0;
   std::size_t peak_memory_bytes = 0;  ///< of the process
   std::int64_t dual_evaluations = 0;  ///< of all components
@@ -77,9 +77,9 @@ struct Solution {
   std::size_t num_arcs = 0;        ///< of the instance
   std::size_t num_components = 0;  ///< with at least one arc after the shift
   Status status = Status::kInterrupted;
-  bool proven = false;             ///< cost is the optimum (to the tolerance of docs/numerics.md)
-  double cost = kInfinity;         ///< of the best solution; +inf if none
-  double lower_bound = -kInfinity; ///< no solution costs less
+  bool proven = false;              ///< cost is the optimum (to the tolerance of docs/numerics.md)
+  double cost = kInfinity;          ///< of the best solution; +inf if none
+  double lower_bound = -kInfinity;  ///< no solution costs less
   std::vector<RankedSolution> solutions;  ///< best first
 
   /// u[k][i-1] for i = 1..M_k: an all-relaxed certificate.  With u of the dummies 0,
@@ -89,7 +89,8 @@ struct Solution {
 
   std::vector<ComponentReport> components;
   Stats stats;
-  std::string reason;  ///< infeasible: which indices cannot all be covered; precision_lost: what is known
+  std::string
+      reason;  ///< infeasible: which indices cannot all be covered; precision_lost: what is known
 
   /// cost - lower_bound; +inf when either is infinite.
   double gap() const;

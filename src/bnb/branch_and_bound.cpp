@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <numeric>
 
-// Lagrangian branch and bound in the way of Fisher (1981), with two habits from the study of set packing: a
-// node is reduced until nothing more follows (fixing at zero and at one, components), and it is branched on a
-// row, not on a column.  Splitting inside the tree is what keeps it small: tracking components fall apart as
-// soon as a few arcs are decided.
+// Lagrangian branch and bound in the way of Fisher (1981), with two habits from the study of set
+// packing: a node is reduced until nothing more follows (fixing at zero and at one, components),
+// and it is branched on a row, not on a column.  Splitting inside the tree is what keeps it small:
+// tracking components fall apart as soon as a few arcs are decided.
 
 namespace nda::bnb {
 namespace {
@@ -16,10 +16,13 @@ using core::Component;
 using core::Packing;
 
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
-// A part that keeps more than this share of its node's arcs is branched on without being bounded again.
+// A part that keeps more than this share of its node's arcs is branched on without being bounded
+// again.
 constexpr double kWholeShare = 0.8;
 
-double sum(std::span<const double> u) { return std::accumulate(u.begin(), u.end(), 0.0); }
+double sum(std::span<const double> u) {
+  return std::accumulate(u.begin(), u.end(), 0.0);
+}
 
 Packing to_original(const Component& component, const Packing& packing) {
   Packing original = packing;
@@ -62,8 +65,8 @@ class BranchAndBound {
     const bool whole = reduction.taken.arcs.empty() && reduction.parts.size() == 1 &&
                        static_cast<double>(reduction.parts[0].num_arcs()) >
                            kWholeShare * static_cast<double>(component.num_arcs());
-    SearchResult rest = whole ? branch(reduction.parts[0], reduction.u[0], cutoff)
-                              : solve_parts(reduction, cutoff);
+    SearchResult rest =
+        whole ? branch(reduction.parts[0], reduction.u[0], cutoff) : solve_parts(reduction, cutoff);
     if (rest.found) accept(result, std::move(rest.best), cutoff);
     return finish(result, cutoff, rest.complete ? kInfinity : rest.lower);
   }
@@ -81,7 +84,9 @@ class BranchAndBound {
     return result;
   }
 
-  SearchResult enumerate_part(const Component& component, std::span<const double> u, double cutoff) {
+  SearchResult enumerate_part(const Component& component,
+                              std::span<const double> u,
+                              double cutoff) {
     const std::int64_t limit = std::min(limits_.enumeration_nodes, limits_.max_nodes - nodes_);
     SearchResult result = enumerate(component, u, cutoff, limit, limits_.deadline);
     nodes_ += result.nodes;
@@ -106,7 +111,8 @@ class BranchAndBound {
     return std::move(result);
   }
 
-  // Parts are independent: each is searched below what the bounds of the others leave of the cutoff.
+  // Parts are independent: each is searched below what the bounds of the others leave of the
+  // cutoff.
   SearchResult solve_parts(const Reduction& reduction, double cutoff) {
     const std::size_t num_parts = reduction.parts.size();
     std::vector<double> lower;
@@ -163,11 +169,15 @@ class BranchAndBound {
   }
 
   // What is left of the component once `slot` is covered by `arc`, or left uncovered (kNone).
-  SearchResult solve_child(const Component& component, std::span<const double> u, std::uint32_t slot,
-                           ArcId arc, double cutoff) {
+  SearchResult solve_child(const Component& component,
+                           std::span<const double> u,
+                           std::uint32_t slot,
+                           ArcId arc,
+                           double cutoff) {
     std::vector<bool> covered(component.num_slots(), false);
     covered[slot] = true;
-    if (arc != kNone) core::for_each_slot(component, arc, [&](std::uint32_t s) { covered[s] = true; });
+    if (arc != kNone)
+      core::for_each_slot(component, arc, [&](std::uint32_t s) { covered[s] = true; });
     std::vector<ArcId> live;
     for (ArcId a = 0; a < component.num_arcs(); ++a) {
       bool hit = false;
@@ -179,7 +189,8 @@ class BranchAndBound {
     return solve(child, child_u, cutoff - (arc == kNone ? 0.0 : component.costs[arc]));
   }
 
-  static std::vector<Use> uses_of(const Component& component, std::span<const double> u,
+  static std::vector<Use> uses_of(const Component& component,
+                                  std::span<const double> u,
                                   std::uint32_t slot) {
     std::vector<Use> uses = {{-u[slot], kNone}};
     for (ArcId a = 0; a < component.num_arcs(); ++a) {
@@ -187,13 +198,15 @@ class BranchAndBound {
       core::for_each_slot(component, a, [&](std::uint32_t s) { on_slot = on_slot || s == slot; });
       if (on_slot) uses.push_back({std::max(0.0, core::reduced_cost(component, u, a)), a});
     }
-    std::stable_sort(uses.begin(), uses.end(),
-                     [](const Use& a, const Use& b) { return a.penalty < b.penalty; });
+    std::stable_sort(
+        uses.begin(), uses.end(), [](const Use& a, const Use& b) { return a.penalty < b.penalty; });
     return uses;
   }
 
   // The index with u < 0 and the fewest uses affordable within `slack`.
-  static std::uint32_t choose_slot(const Component& component, std::span<const double> u, double slack) {
+  static std::uint32_t choose_slot(const Component& component,
+                                   std::span<const double> u,
+                                   double slack) {
     std::vector<std::uint32_t> uses(component.num_slots(), 0);
     for (ArcId a = 0; a < component.num_arcs(); ++a) {
       if (core::reduced_cost(component, u, a) >= slack) continue;
@@ -203,7 +216,8 @@ class BranchAndBound {
     for (std::uint32_t s = 0; s < uses.size(); ++s) {
       if (u[s] >= 0) continue;
       uses[s] += -u[s] < slack ? 1 : 0;
-      if (best == kNone || uses[s] < uses[best] || (uses[s] == uses[best] && u[s] < u[best])) best = s;
+      if (best == kNone || uses[s] < uses[best] || (uses[s] == uses[best] && u[s] < u[best]))
+        best = s;
     }
     return best;
   }
@@ -216,8 +230,11 @@ class BranchAndBound {
 
 }  // namespace
 
-SearchResult branch_and_bound(const Component& component, std::span<const double> u, double cutoff,
-                              const Collaborators& collaborators, const BranchLimits& limits) {
+SearchResult branch_and_bound(const Component& component,
+                              std::span<const double> u,
+                              double cutoff,
+                              const Collaborators& collaborators,
+                              const BranchLimits& limits) {
   BranchAndBound search(collaborators, limits);
   SearchResult result = search.solve(component, u, cutoff);
   result.nodes = search.nodes();

@@ -29,34 +29,39 @@ struct Reduction {
 struct Collaborators {
   /// Bounds a component from below, starting at multipliers `warm` (by slot).  It may stop early
   /// once the bound reaches `cutoff`.
-  std::function<NodeBound(const core::Component&, std::span<const double> warm, double cutoff)> bound;
+  std::function<NodeBound(const core::Component&, std::span<const double> warm, double cutoff)>
+      bound;
 
   /// Fixes by reduced cost and splits, looking for packings cheaper than `cutoff`.
   std::function<Reduction(const core::Component&, const NodeBound&, double cutoff)> reduce;
-
 };
 
 struct BranchLimits {
   std::int64_t max_nodes = std::numeric_limits<std::int64_t>::max();
-  std::size_t enumeration_arcs = 200;    ///< parts of at most so many arcs are enumerated
+  std::size_t enumeration_arcs = 200;      ///< parts of at most so many arcs are enumerated
   std::int64_t enumeration_nodes = 20000;  ///< a part that takes more is bounded again instead
-  double margin = 0;  ///< only packings cheaper than the best by more than this are looked for; >= error
-  double error = 0;   ///< rounding: two costs that differ by less are equal (docs/numerics.md)
+  double margin =
+      0;  ///< only packings cheaper than the best by more than this are looked for; >= error
+  double error = 0;  ///< rounding: two costs that differ by less are equal (docs/numerics.md)
   core::Deadline deadline;
 };
 
 /// Depth-first branch and bound over a component, best child first.
 ///
-/// A node is a component of its own: bound it, fix and drop arcs, split what is left into connected parts
-/// that are solved one by one, each against what the others leave of the cutoff; a part that stays whole
-/// is branched on one index: which arc covers it, or none.
+/// A node is a component of its own: bound it, fix and drop arcs, split what is left into connected
+/// parts that are solved one by one, each against what the others leave of the cutoff; a part that
+/// stays whole is branched on one index: which arc covers it, or none.
 ///
-/// The result's lower bound holds whenever the search stops.  Its arcs are original ones (original_arc()).
+/// The result's lower bound holds whenever the search stops.  Its arcs are original ones
+/// (original_arc()).
 ///
-/// On a grid of costs (core/shift.hpp) margin is nearly its step: nothing lies between the best cost and the
-/// next cheaper grid point, so a complete search proves best.cost - error, not best.cost - margin.
-SearchResult branch_and_bound(const core::Component& component, std::span<const double> u,
-                              double cutoff, const Collaborators& collaborators,
+/// On a grid of costs (core/shift.hpp) margin is nearly its step: nothing lies between the best
+/// cost and the next cheaper grid point, so a complete search proves best.cost - error, not
+/// best.cost - margin.
+SearchResult branch_and_bound(const core::Component& component,
+                              std::span<const double> u,
+                              double cutoff,
+                              const Collaborators& collaborators,
                               const BranchLimits& limits);
 
 }  // namespace nda::bnb

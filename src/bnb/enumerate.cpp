@@ -4,10 +4,10 @@
 #include <numeric>
 #include <vector>
 
-// The report (4.7) leaves small components to branch and bound.  Branching on an index, not on an arc, keeps
-// the tree balanced: exactly one use of the index happens, one of its arcs or none.  Only indices with u < 0
-// need a decision: leaving any other uncovered is free, and no arc left can pay (all r >= 0), so when they are
-// all decided the packing is complete.
+// The report (4.7) leaves small components to branch and bound.  Branching on an index, not on an
+// arc, keeps the tree balanced: exactly one use of the index happens, one of its arcs or none. Only
+// indices with u < 0 need a decision: leaving any other uncovered is free, and no arc left can pay
+// (all r >= 0), so when they are all decided the packing is complete.
 
 namespace nda::bnb {
 namespace {
@@ -19,8 +19,11 @@ constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
 class Enumeration {
  public:
-  Enumeration(const Component& component, std::span<const double> u, double cutoff,
-              std::int64_t max_nodes, const core::Deadline& deadline)
+  Enumeration(const Component& component,
+              std::span<const double> u,
+              double cutoff,
+              std::int64_t max_nodes,
+              const core::Deadline& deadline)
       : component_(component),
         u_(u),
         max_nodes_(max_nodes),
@@ -35,8 +38,9 @@ class Enumeration {
     }
     order_.resize(num_arcs);
     std::iota(order_.begin(), order_.end(), 0u);
-    std::sort(order_.begin(), order_.end(),
-              [&](ArcId a, ArcId b) { return reduced_[a] != reduced_[b] ? reduced_[a] < reduced_[b] : a < b; });
+    std::sort(order_.begin(), order_.end(), [&](ArcId a, ArcId b) {
+      return reduced_[a] != reduced_[b] ? reduced_[a] < reduced_[b] : a < b;
+    });
     num_uses_.resize(component.num_slots());
   }
 
@@ -137,7 +141,8 @@ class Enumeration {
 
   bool disjoint(ArcId a, ArcId b) const {
     for (int k = 0; k < component_.num_dimensions(); ++k) {
-      if (component_.index(k, a) != 0 && component_.index(k, a) == component_.index(k, b)) return false;
+      if (component_.index(k, a) != 0 && component_.index(k, a) == component_.index(k, b))
+        return false;
     }
     return true;
   }
@@ -160,8 +165,11 @@ class Enumeration {
 
 }  // namespace
 
-SearchResult enumerate(const Component& component, std::span<const double> u, double cutoff,
-                       std::int64_t max_nodes, const core::Deadline& deadline) {
+SearchResult enumerate(const Component& component,
+                       std::span<const double> u,
+                       double cutoff,
+                       std::int64_t max_nodes,
+                       const core::Deadline& deadline) {
   return Enumeration(component, u, cutoff, max_nodes, deadline).run();
 }
 

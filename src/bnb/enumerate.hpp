@@ -10,23 +10,29 @@ namespace nda::bnb {
 
 /// What an exact search found below a cutoff.
 struct SearchResult {
-  core::Packing best;       ///< the best packing cheaper than the cutoff; meaningful if found
+  core::Packing best;  ///< the best packing cheaper than the cutoff; meaningful if found
   bool found = false;
-  bool complete = false;    ///< best is the optimum; or, if not found, no packing is cheaper than the cutoff
+  bool complete =
+      false;  ///< best is the optimum; or, if not found, no packing is cheaper than the cutoff
   double lower = -kInfinity;  ///< every packing costs at least min(lower, cutoff)
   std::int64_t nodes = 0;
 };
 
-/// Enumerates the packings of a component cheaper than `cutoff`, depth first, without any relaxation.
+/// Enumerates the packings of a component cheaper than `cutoff`, depth first, without any
+/// relaxation.
 ///
 /// Multipliers u (by slot, u <= 0, all reduced costs r >= 0) turn the cost of a packing into
 ///     sum u + sum of r over its arcs + sum of -u over its uncovered indices,
-/// a sum of non-negative terms that the search may spend up to cutoff - sum u.  It decides the index with the
-/// fewest affordable uses first.  Good multipliers make it fast; any feasible ones make it right.
+/// a sum of non-negative terms that the search may spend up to cutoff - sum u.  It decides the
+/// index with the fewest affordable uses first.  Good multipliers make it fast; any feasible ones
+/// make it right.
 ///
 /// Stops after max_nodes or at the deadline with complete = false.
 /// Cost: exponential; O(N A) memory.
-SearchResult enumerate(const core::Component& component, std::span<const double> u, double cutoff,
-                       std::int64_t max_nodes, const core::Deadline& deadline = {});
+SearchResult enumerate(const core::Component& component,
+                       std::span<const double> u,
+                       double cutoff,
+                       std::int64_t max_nodes,
+                       const core::Deadline& deadline = {});
 
 }  // namespace nda::bnb

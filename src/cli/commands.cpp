@@ -4,6 +4,9 @@ namespace nda::cli {
 namespace {
 
 constexpr Command kCommands[] = {
+    {"solve", "find the best assignment and a bound that proves how good it is", declare_solve},
+    {"check", "verify a solution, its cost and its bound independently", declare_check},
+    {"info", "sizes, components and what the cost shift leaves of a problem", declare_info},
     {"convert", "read a problem in one format and write it in another", declare_convert},
     {"generate", "make a problem of a benchmark family", declare_generate},
 };

@@ -9,8 +9,8 @@
 
 // The checker knows the problem and the solution, nothing of how it was found.  Sums are kept in
 // double-double; the certificate is then rounded downwards by a bound on all its rounding errors:
-// each of the T additions errs by at most 2^-104 of a partial sum, no partial sum exceeds the sum S of the
-// absolute values of all terms, so the whole errs by less than T 2^-104 S.
+// each of the T additions errs by at most 2^-104 of a partial sum, no partial sum exceeds the sum S
+// of the absolute values of all terms, so the whole errs by less than T 2^-104 S.
 
 namespace nda {
 namespace {
@@ -56,8 +56,10 @@ class SolutionWalk {
       const auto costs = problem_.singleton_costs(static_cast<int>(k));
       for (std::size_t i = 1; i < covered_[k].size(); ++i) {
         if (covered_[k][i]) continue;
-        if (costs[i] == kInfinity) fault(place(k, i) + " is uncovered and its singleton forbidden");
-        else add(costs[i]);
+        if (costs[i] == kInfinity)
+          fault(place(k, i) + " is uncovered and its singleton forbidden");
+        else
+          add(costs[i]);
       }
     }
   }
@@ -106,12 +108,13 @@ void check_solutions(const Problem& problem, const Solution& solution, CheckRepo
   const double stated = solution.solutions.empty() ? kInfinity : solution.solutions.front().cost;
   if (stated != solution.cost) {
     report.cost_right = false;
-    report.faults.push_back("cost " + number(solution.cost) + " is not that of the first solution, " +
-                            number(stated));
+    report.faults.push_back("cost " + number(solution.cost) +
+                            " is not that of the first solution, " + number(stated));
   }
 }
 
-bool multipliers_fit(const Problem& problem, const std::vector<std::vector<double>>& multipliers,
+bool multipliers_fit(const Problem& problem,
+                     const std::vector<std::vector<double>>& multipliers,
                      std::vector<std::string>& faults) {
   if (multipliers.size() != static_cast<std::size_t>(problem.num_dimensions())) {
     faults.push_back("multipliers of " + std::to_string(multipliers.size()) +
@@ -165,7 +168,9 @@ void check_bound(const Problem& problem, const Solution& solution, CheckReport& 
 
 CheckReport check(const Problem& problem, const Solution& solution) {
   CheckReport report;
-  if (!std::equal(solution.sizes.begin(), solution.sizes.end(), problem.sizes().begin(),
+  if (!std::equal(solution.sizes.begin(),
+                  solution.sizes.end(),
+                  problem.sizes().begin(),
                   problem.sizes().end())) {
     report.faults.push_back("the solution is of a problem of other sizes");
     return report;
@@ -209,7 +214,8 @@ double certificate_bound(const Problem& problem,
     add(reduced.low());
     magnitude += size;
   }
-  const double terms = static_cast<double>(problem.num_arcs() * (n + 2) + 3 * problem.num_indices());
+  const double terms =
+      static_cast<double>(problem.num_arcs() * (n + 2) + 3 * problem.num_indices());
   const double error = terms * 0x1p-100 * magnitude;
   bound.add(-error);
   return std::nextafter(bound.high(), -kInfinity);

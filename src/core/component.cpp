@@ -61,13 +61,15 @@ std::vector<ArcId> arcs_from_original(const Component& component, std::vector<Ar
   if (component.arc_origin.empty()) return originals;
   // Cutting keeps the order of arcs, so origins ascend.
   for (ArcId& a : originals) {
-    const auto found = std::lower_bound(component.arc_origin.begin(), component.arc_origin.end(), a);
+    const auto found =
+        std::lower_bound(component.arc_origin.begin(), component.arc_origin.end(), a);
     a = static_cast<ArcId>(found - component.arc_origin.begin());
   }
   return originals;
 }
 
-std::vector<double> restrict_slots(const Component& whole, std::span<const double> values,
+std::vector<double> restrict_slots(const Component& whole,
+                                   std::span<const double> values,
                                    const Component& part) {
   // Both list the origins of a dimension in ascending order: walk them side by side.
   std::vector<double> restricted(part.num_slots(), 0.0);

@@ -16,26 +16,26 @@ using ArcId = std::uint32_t;
 
 /// A problem in shifted form, the form every algorithm works on.
 ///
-/// After the cost shift (report, 4.8) c'[a] = c[a] - sum of the singleton costs of its indices, every
-/// index may stay uncovered at cost 0, and the problem reads
+/// After the cost shift (report, 4.8) c'[a] = c[a] - sum of the singleton costs of its indices,
+/// every index may stay uncovered at cost 0, and the problem reads
 ///
 ///     minimise sum c'[a] x[a]   so that   every real index is used at most once,  x binary.
 ///
-/// A *slot* numbers the pair (dimension k, index i) as offset[k] + i, dummies included; vectors over
-/// slots (multipliers, owners) have num_slots() entries, and those of the dummies stay 0.
+/// A *slot* numbers the pair (dimension k, index i) as offset[k] + i, dummies included; vectors
+/// over slots (multipliers, owners) have num_slots() entries, and those of the dummies stay 0.
 struct Component {
-  std::vector<Index> sizes;                  ///< M_k
-  std::vector<std::uint32_t> offset;         ///< first slot (the dummy) of dimension k
-  std::vector<std::vector<Index>> indices;   ///< [k][a], 0 = dummy; arcs in lexicographic order
-  std::vector<double> costs;                 ///< shifted cost c'[a]
+  std::vector<Index> sizes;                 ///< M_k
+  std::vector<std::uint32_t> offset;        ///< first slot (the dummy) of dimension k
+  std::vector<std::vector<Index>> indices;  ///< [k][a], 0 = dummy; arcs in lexicographic order
+  std::vector<double> costs;                ///< shifted cost c'[a]
 
-  /// Where an arc came from: its number in the problem or component that was cut first; empty if this
-  /// one was not cut out of another.
+  /// Where an arc came from: its number in the problem or component that was cut first; empty if
+  /// this one was not cut out of another.
   std::vector<ArcId> arc_origin;
 
   /// Where a slot came from: dimension and index in the problem.
-  std::vector<std::uint8_t> dimensions;      ///< [k]: dimension of the problem
-  std::vector<Index> origin;                 ///< [slot]: index in the problem, 0 for dummies
+  std::vector<std::uint8_t> dimensions;  ///< [k]: dimension of the problem
+  std::vector<Index> origin;             ///< [slot]: index in the problem, 0 for dummies
 
   int num_dimensions() const { return static_cast<int>(sizes.size()); }
   std::size_t num_arcs() const { return costs.size(); }
@@ -51,7 +51,8 @@ struct Component {
   }
 };
 
-/// A feasible choice of arcs of a component and its shifted cost; empty = everything uncovered, cost 0.
+/// A feasible choice of arcs of a component and its shifted cost; empty = everything uncovered,
+/// cost 0.
 struct Packing {
   std::vector<ArcId> arcs;
   double cost = 0;
@@ -60,7 +61,8 @@ struct Packing {
 /// A component of these sizes with offsets set, without arcs; slots stand for themselves.
 Component make_component(std::vector<Index> sizes);
 
-/// Appends an arc given by its indices (num_dimensions() entries); arcs must come in lexicographic order.
+/// Appends an arc given by its indices (num_dimensions() entries); arcs must come in lexicographic
+/// order.
 void append_arc(Component& component, std::span<const Index> tuple, double cost);
 
 /// Cuts components out of a problem or a component; keeps its scratch memory between calls.
@@ -91,7 +93,8 @@ inline ArcId original_arc(const Component& component, ArcId a) {
 std::vector<ArcId> arcs_from_original(const Component& component, std::vector<ArcId> originals);
 
 /// Values by slot of `whole`, restricted to the slots of `part`, which was cut out of it.
-std::vector<double> restrict_slots(const Component& whole, std::span<const double> values,
+std::vector<double> restrict_slots(const Component& whole,
+                                   std::span<const double> values,
                                    const Component& part);
 
 /// c'[a] - sum of u over the slots of a.

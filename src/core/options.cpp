@@ -18,20 +18,34 @@ void validate(const Options& options) {
   require(options.relative_gap >= 0, "relative_gap", options.relative_gap, "0 or more");
   require(options.num_threads >= 0, "num_threads", options.num_threads, "0 or more");
   const RelaxationOptions& relaxation = options.relaxation;
-  require(relaxation.max_evaluations >= 1, "relaxation.max_evaluations", relaxation.max_evaluations,
+  require(relaxation.max_evaluations >= 1,
+          "relaxation.max_evaluations",
+          relaxation.max_evaluations,
           "1 or more");
-  require(relaxation.recovery_evaluations >= 1, "relaxation.recovery_evaluations",
-          relaxation.recovery_evaluations, "1 or more");
-  require(relaxation.recovery_interval >= 1, "relaxation.recovery_interval",
-          relaxation.recovery_interval, "1 or more");
-  require(relaxation.relative_tolerance >= 0, "relaxation.relative_tolerance",
-          relaxation.relative_tolerance, "0 or more");
-  require(options.search.perturbations >= 0, "search.perturbations", options.search.perturbations,
+  require(relaxation.recovery_evaluations >= 1,
+          "relaxation.recovery_evaluations",
+          relaxation.recovery_evaluations,
+          "1 or more");
+  require(relaxation.recovery_interval >= 1,
+          "relaxation.recovery_interval",
+          relaxation.recovery_interval,
+          "1 or more");
+  require(relaxation.relative_tolerance >= 0,
+          "relaxation.relative_tolerance",
+          relaxation.relative_tolerance,
           "0 or more");
-  require(options.branch.max_nodes >= 0, "branch.max_nodes",
-          static_cast<double>(options.branch.max_nodes), "0 or more");
-  require(options.branch.node_evaluations >= 1, "branch.node_evaluations",
-          options.branch.node_evaluations, "1 or more");
+  require(options.search.kicks_per_index >= 0,
+          "search.kicks_per_index",
+          options.search.kicks_per_index,
+          "0 or more");
+  require(options.branch.max_nodes >= 0,
+          "branch.max_nodes",
+          static_cast<double>(options.branch.max_nodes),
+          "0 or more");
+  require(options.branch.node_evaluations >= 1,
+          "branch.node_evaluations",
+          options.branch.node_evaluations,
+          "1 or more");
 }
 
 Options preset(const std::string& name) {

@@ -6,10 +6,10 @@
 #include <numeric>
 #include <string>
 
-// A problem is stored as structure of arrays, arcs in lexicographic order: the first two dimensions of
-// consecutive arcs then agree for long stretches, which is what the collapse of eq. (3.3) wants.  Sorting
-// moves one column at a time through a permutation, so that building needs 4 bytes an arc plus one column
-// beyond the problem itself.
+// A problem is stored as structure of arrays, arcs in lexicographic order: the first two dimensions
+// of consecutive arcs then agree for long stretches, which is what the collapse of eq. (3.3) wants.
+// Sorting moves one column at a time through a permutation, so that building needs 4 bytes an arc
+// plus one column beyond the problem itself.
 
 namespace nda {
 namespace {
@@ -142,9 +142,10 @@ Problem ProblemBuilder::build() && {
   std::vector<double>& costs = problem_.costs_;
   if (!strictly_sorted(columns, costs.size())) {
     std::vector<std::uint32_t> order = sorted_order(columns, costs);
-    const auto repeats = std::unique(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return compare(columns, a, b) == 0;
-    });
+    const auto repeats =
+        std::unique(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+          return compare(columns, a, b) == 0;
+        });
     problem_.num_duplicates_ += static_cast<std::size_t>(order.end() - repeats);
     order.erase(repeats, order.end());
     for (std::vector<Index>& column : columns) permute(column, order);

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-// How high must the penalty of a forbidden singleton be?  Write |c_a| / (number of real indices of a) for the
-// share of an index in arc a, and w_i for the largest share of index i over its arcs and its singleton.  No
-// solution costs more than W = sum w_i or less than -W, so penalty > 2 W makes leaving a forbidden index
-// uncovered dearer than any solution that covers all of them.  It is rounded up to an integer so that costs
-// on a grid stay on it.
+// How high must the penalty of a forbidden singleton be?  Write |c_a| / (number of real indices of
+// a) for the share of an index in arc a, and w_i for the largest share of index i over its arcs and
+// its singleton.  No solution costs more than W = sum w_i or less than -W, so penalty > 2 W makes
+// leaving a forbidden index uncovered dearer than any solution that covers all of them.  It is
+// rounded up to an integer so that costs on a grid stay on it.
 
 namespace nda::core {
 namespace {
@@ -55,7 +55,8 @@ bool has_forbidden_singleton(const Problem& problem) {
   return false;
 }
 
-// Is x = 10^d c within rounding of an integer?  |c| 2^-52 is one rounding of c and one of the product.
+// Is x = 10^d c within rounding of an integer?  |c| 2^-52 is one rounding of c and one of the
+// product.
 bool on_grid(double cost, double scale) {
   const double x = cost * scale;
   return std::abs(x) < 0x1p51 && std::abs(x - std::nearbyint(x)) <= std::abs(x) * 0x1p-52;

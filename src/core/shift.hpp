@@ -7,18 +7,21 @@
 
 namespace nda::core {
 
-/// The cost shift: every index is charged `base` up front, an arc refunds what its indices were charged.
+/// The cost shift: every index is charged `base` up front, an arc refunds what its indices were
+/// charged.
 ///
-///     c'[a] = c[a] - sum of base over the indices of a,    cost = constant + sum of c' over chosen arcs.
+///     c'[a] = c[a] - sum of base over the indices of a,    cost = constant + sum of c' over chosen
+///     arcs.
 ///
-/// `base` is the singleton's cost, or `penalty` where the singleton is forbidden: a charge so high that a
-/// solution leaving such an index uncovered costs more than any that covers them all.
+/// `base` is the singleton's cost, or `penalty` where the singleton is forbidden: a charge so high
+/// that a solution leaving such an index uncovered costs more than any that covers them all.
 /// Source: report, section 4.8 (invariance); the penalty is ours.
 struct Shift {
   std::vector<std::vector<double>> base;  ///< [k][i], entry 0 is 0
-  std::vector<std::uint32_t> offset;      ///< slot of the dummy of dimension k; slot(k, i) = offset[k] + i
-  double constant = 0;                    ///< sum of all base: the cost of choosing nothing
-  double penalty = 0;                     ///< 0 when no singleton is forbidden
+  std::vector<std::uint32_t>
+      offset;           ///< slot of the dummy of dimension k; slot(k, i) = offset[k] + i
+  double constant = 0;  ///< sum of all base: the cost of choosing nothing
+  double penalty = 0;   ///< 0 when no singleton is forbidden
 };
 
 Shift make_shift(const Problem& problem);
@@ -33,8 +36,9 @@ inline double shifted_cost(const Problem& problem, const Shift& shift, std::size
 }
 
 /// The spacing of the costs: every cost is a multiple of `step` up to one rounding error.
-/// step = 10^-d for the smallest d in 0..9 that fits, 0 when none does.  A bound may then be rounded up
-/// to the next multiple (design, 3.4).  exact: step is 1, all costs are integers without error.
+/// step = 10^-d for the smallest d in 0..9 that fits, 0 when none does.  A bound may then be
+/// rounded up to the next multiple (design, 3.4).  exact: step is 1, all costs are integers without
+/// error.
 struct CostGrid {
   double step = 0;
   bool exact = false;

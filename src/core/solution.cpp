@@ -7,14 +7,22 @@ namespace nda {
 
 const char* to_string(Status status) {
   switch (status) {
-    case Status::kOptimal: return "optimal";
-    case Status::kGapReached: return "gap_reached";
-    case Status::kTimeLimit: return "time_limit";
-    case Status::kIterationLimit: return "iteration_limit";
-    case Status::kNodeLimit: return "node_limit";
-    case Status::kInterrupted: return "interrupted";
-    case Status::kInfeasible: return "infeasible";
-    case Status::kPrecisionLost: return "precision_lost";
+    case Status::kOptimal:
+      return "optimal";
+    case Status::kGapReached:
+      return "gap_reached";
+    case Status::kTimeLimit:
+      return "time_limit";
+    case Status::kIterationLimit:
+      return "iteration_limit";
+    case Status::kNodeLimit:
+      return "node_limit";
+    case Status::kInterrupted:
+      return "interrupted";
+    case Status::kInfeasible:
+      return "infeasible";
+    case Status::kPrecisionLost:
+      return "precision_lost";
   }
   return "unknown";
 }
@@ -24,6 +32,9 @@ double Solution::gap() const {
   return std::max(0.0, cost - lower_bound);
 }
 
-double Solution::relative_gap() const { return gap() / std::max(1e-9, std::abs(cost)); }
+double Solution::relative_gap() const {
+  const double absolute = gap();
+  return std::isinf(absolute) ? absolute : absolute / std::max(1e-9, std::abs(cost));
+}
 
 }  // namespace nda

@@ -5,9 +5,10 @@
 #include <cstdint>
 #include <numeric>
 
-// The report (4.7) builds the layered graph of the measurements and finds its components by depth-first
-// search over a spanning forest.  Storing edges would cost more memory than the arcs; the disjoint sets of
-// Boost.Graph's incremental components need five bytes a vertex and see every arc once.
+// The report (4.7) builds the layered graph of the measurements and finds its components by
+// depth-first search over a spanning forest.  Storing edges would cost more memory than the arcs;
+// the disjoint sets of Boost.Graph's incremental components need five bytes a vertex and see every
+// arc once.
 
 namespace nda::decompose {
 namespace {
@@ -19,7 +20,8 @@ constexpr std::uint32_t kNone = ~std::uint32_t{0};
 // Vertices 0..n-1, joined arc by arc.
 class DisjointSets {
  public:
-  explicit DisjointSets(std::size_t n) : rank_(n, 0), parent_(n), sets_(rank_.data(), parent_.data()) {
+  explicit DisjointSets(std::size_t n)
+      : rank_(n, 0), parent_(n), sets_(rank_.data(), parent_.data()) {
     std::iota(parent_.begin(), parent_.end(), 0u);
   }
 
@@ -33,7 +35,8 @@ class DisjointSets {
   boost::disjoint_sets<std::uint8_t*, std::uint32_t*> sets_;
 };
 
-// Counting sort of the arcs by component.  first_slot(a) is some real slot of arc a, or kNone to leave it out.
+// Counting sort of the arcs by component.  first_slot(a) is some real slot of arc a, or kNone to
+// leave it out.
 template <typename FirstSlot>
 Partition sort_by_component(DisjointSets& sets, std::size_t num_arcs, FirstSlot&& first_slot) {
   std::vector<std::uint32_t> label(sets.size(), kNone);

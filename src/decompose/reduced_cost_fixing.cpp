@@ -2,9 +2,10 @@
 
 #include <algorithm>
 
-// Every solution costs sum u + sum of r over its arcs + sum of -u over its uncovered indices, and all terms
-// but the first are >= 0.  So lower + r[a] bounds what a costs at least, and lower - u_i what leaving i
-// uncovered costs at least.  The second rule looks at one index: exactly one of its uses happens.
+// Every solution costs sum u + sum of r over its arcs + sum of -u over its uncovered indices, and
+// all terms but the first are >= 0.  So lower + r[a] bounds what a costs at least, and lower - u_i
+// what leaving i uncovered costs at least.  The second rule looks at one index: exactly one of its
+// uses happens.
 
 namespace nda::decompose {
 namespace {
@@ -29,7 +30,8 @@ void note(Uses& uses, double r, ArcId a) {
   }
 }
 
-std::vector<Uses> cheapest_uses(const Component& component, std::span<const double> u,
+std::vector<Uses> cheapest_uses(const Component& component,
+                                std::span<const double> u,
                                 std::span<const ArcId> live) {
   std::vector<Uses> uses;
   uses.reserve(u.size());

@@ -13,8 +13,9 @@ using core::ArcId;
 core::Packing greedy(const core::Component& component, std::span<const double> key) {
   std::vector<ArcId> order(component.num_arcs());
   std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(),
-            [&](ArcId a, ArcId b) { return key[a] != key[b] ? key[a] < key[b] : a < b; });
+  std::sort(order.begin(), order.end(), [&](ArcId a, ArcId b) {
+    return key[a] != key[b] ? key[a] < key[b] : a < b;
+  });
   PackingState state(component);
   for (const ArcId a : order) {
     if (component.costs[a] < 0 && state.fits(a)) state.insert(a);
@@ -25,7 +26,8 @@ core::Packing greedy(const core::Component& component, std::span<const double> k
 core::Packing dual_greedy(const core::Component& component, std::span<const double> u) {
   std::vector<double> key(component.num_arcs());
   for (ArcId a = 0; a < key.size(); ++a) {
-    // Among arcs of equal reduced cost (the multipliers make thousands of zeros) the cheaper one first.
+    // Among arcs of equal reduced cost (the multipliers make thousands of zeros) the cheaper one
+    // first.
     key[a] = core::reduced_cost(component, u, a) + 1e-6 * component.costs[a];
   }
   return greedy(component, key);

@@ -6,10 +6,10 @@
 
 namespace nda::recovery {
 
-/// Takes arcs in ascending order of `key` (num_arcs() entries) as long as they fit and cost less than
-/// nothing; ties by arc number.  key = costs is the plain greedy, key = reduced costs the dual-guided one
-/// (docs/state of the art in docs/methods.md: it ranks arcs by what they cost beyond the multipliers).
-/// Cost: O(A log A + A N).
+/// Takes arcs in ascending order of `key` (num_arcs() entries) as long as they fit and cost less
+/// than nothing; ties by arc number.  key = costs is the plain greedy, key = reduced costs the
+/// dual-guided one (docs/state of the art in docs/methods.md: it ranks arcs by what they cost
+/// beyond the multipliers). Cost: O(A log A + A N).
 core::Packing greedy(const core::Component& component, std::span<const double> key);
 
 /// Dual-guided greedy: key[a] = c'[a] - sum of u over its slots.

@@ -3,20 +3,27 @@
 #include <cmath>
 #include <numeric>
 
-// The report (4.6) leaves local search to Robertson's thesis.  This is the simplest that works on sparse
-// arcs: a table of owners makes the gain of forcing an arc in an O(N) question, no conflict graph is stored.
-// Equal cost is accepted, which lets the search drift along plateaus; ties abound in tracking costs.
+// The report (4.6) leaves local search to Robertson's thesis.  This is the simplest that works on
+// sparse arcs: a table of owners makes the gain of forcing an arc in an O(N) question, no conflict
+// graph is stored. Equal cost is accepted, which lets the search drift along plateaus; ties abound
+// in tracking costs.
 
 namespace nda::recovery {
 
 using core::ArcId;
 
 LocalSearch::LocalSearch(const core::Component& component)
-    : component_(component), slot_arcs_(component), state_(component), candidates_(component.num_arcs()) {
+    : component_(component),
+      slot_arcs_(component),
+      state_(component),
+      candidates_(component.num_arcs()) {
   std::iota(candidates_.begin(), candidates_.end(), 0u);
 }
 
-void LocalSearch::improve(core::Packing& packing, std::int64_t kicks, double goal, core::Random& random,
+void LocalSearch::improve(core::Packing& packing,
+                          std::int64_t kicks,
+                          double goal,
+                          core::Random& random,
                           const core::Deadline& deadline) {
   state_.assign(packing);
   descend(deadline);
@@ -34,7 +41,8 @@ void LocalSearch::descend(const core::Deadline& deadline) {
     for (std::size_t c = 0; c < candidates_.size(); ++c) {
       if (c % 256 == 0 && deadline.reached()) return;
       const double before = state_.cost();
-      if (try_force(candidates_[c]) && state_.cost() < before - 1e-12 * std::abs(before)) improved = true;
+      if (try_force(candidates_[c]) && state_.cost() < before - 1e-12 * std::abs(before))
+        improved = true;
     }
   }
 }

@@ -13,10 +13,10 @@ namespace nda::recovery {
 
 /// Iterated local search over packings of one component.
 ///
-/// The one move: force an arc in, throw out what it conflicts with, and fill the freed indices with the
-/// cheapest arcs that fit (ejection and repair, O(N) plus a look at the arcs of the freed indices).  A move that
-/// does not raise the cost is kept, any other undone.  improve() first tries every arc until none helps, then
-/// kicks with arcs drawn at random.
+/// The one move: force an arc in, throw out what it conflicts with, and fill the freed indices with
+/// the cheapest arcs that fit (ejection and repair, O(N) plus a look at the arcs of the freed
+/// indices).  A move that does not raise the cost is kept, any other undone.  improve() first tries
+/// every arc until none helps, then kicks with arcs drawn at random.
 class LocalSearch {
  public:
   /// Keeps a reference to the component.
@@ -25,9 +25,13 @@ class LocalSearch {
   /// Arcs that the search may force in; all arcs unless set.
   void set_candidates(std::vector<core::ArcId> candidates) { candidates_ = std::move(candidates); }
 
-  /// Improves a packing in place, stopping early at cost <= goal.  Deterministic for a given state of `random`.
+  /// Improves a packing in place, stopping early at cost <= goal.  Deterministic for a given state
+  /// of `random`.
   /// @param kicks  number of random moves; the descent before them is not counted.
-  void improve(core::Packing& packing, std::int64_t kicks, double goal, core::Random& random,
+  void improve(core::Packing& packing,
+               std::int64_t kicks,
+               double goal,
+               core::Random& random,
                const core::Deadline& deadline);
 
  private:

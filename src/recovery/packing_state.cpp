@@ -14,7 +14,8 @@ SlotArcs::SlotArcs(const Component& component) : start_(component.num_slots() + 
   std::vector<ArcId> order(num_arcs);
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(), [&](ArcId a, ArcId b) {
-    return component.costs[a] != component.costs[b] ? component.costs[a] < component.costs[b] : a < b;
+    return component.costs[a] != component.costs[b] ? component.costs[a] < component.costs[b]
+                                                    : a < b;
   });
   for (ArcId a = 0; a < num_arcs; ++a) {
     for_each_slot(component, a, [&](std::uint32_t slot) { ++start_[slot + 1]; });

@@ -6,13 +6,13 @@
 #include "recovery/packing_state.hpp"
 #include "relax/lagrangian.hpp"
 
-// The relaxed solution covers dimensions 0 and 1 properly and the others not.  The report keeps what is right:
-// every chosen pair (i1, i2) becomes one row j of a problem with one dimension less, whose solution says how the
-// pairs go on.  Arcs of cell (0, 0) stay free whatever the relaxed solution chose (report, before (3.7)).
-// Arcs that are not in the sparse set are simply absent; row j may always stay uncovered, which is the report's
-// c(j 0..0) = sum of singletons, 0 in shifted form.
-// Only after it is formulated can a recovery problem be decomposed (4.7), and it nearly always falls apart:
-// an alignment cuts most connections.
+// The relaxed solution covers dimensions 0 and 1 properly and the others not.  The report keeps
+// what is right: every chosen pair (i1, i2) becomes one row j of a problem with one dimension less,
+// whose solution says how the pairs go on.  Arcs of cell (0, 0) stay free whatever the relaxed
+// solution chose (report, before (3.7)). Arcs that are not in the sparse set are simply absent; row
+// j may always stay uncovered, which is the report's c(j 0..0) = sum of singletons, 0 in shifted
+// form. Only after it is formulated can a recovery problem be decomposed (4.7), and it nearly
+// always falls apart: an alignment cuts most connections.
 
 namespace nda::recovery {
 namespace {
@@ -45,7 +45,8 @@ class Builder {
     result_.default_arc.assign(rows.size() + 1, kNoArc);
     const bool has_free_cell = cells.num_cells() > 0 && cells.row[0] == 0 && cells.column[0] == 0;
     if (has_free_cell) add_row(cells, 0, 0);
-    for (std::size_t j = 0; j < rows.size(); ++j) add_row(cells, rows[j], static_cast<Index>(j + 1));
+    for (std::size_t j = 0; j < rows.size(); ++j)
+      add_row(cells, rows[j], static_cast<Index>(j + 1));
     return std::move(result_);
   }
 
@@ -73,18 +74,25 @@ class Builder {
   RecoveryProblem result_;
 };
 
-// The recovery problem drops a dimension, and with it arcs of two real indices may become singletons:
-// (0, 0, i3, 0..) cannot occur, but a part may consist of one dimension only when every arc is (j, 0..0).
-Packing solve_part(const Component& part, const RelaxationOptions& options, const Deadline& deadline) {
+// The recovery problem drops a dimension, and with it arcs of two real indices may become
+// singletons: (0, 0, i3, 0..) cannot occur, but a part may consist of one dimension only when every
+// arc is (j, 0..0).
+Packing solve_part(const Component& part,
+                   const RelaxationOptions& options,
+                   const Deadline& deadline) {
   relax::LagrangianOptions loop;
   loop.dual_method = options.dual_method;
   loop.assign2d = options.assign2d;
   loop.max_evaluations = part.num_dimensions() == 2 ? 1 : options.recovery_evaluations;
   loop.recovery_interval = part.num_dimensions() <= 3 ? 1 : 0;
   loop.deadline = deadline;
-  return relax::maximize_dual(part, {}, loop, [&](const DualFunction& point) {
-           return recover_recursively(part, point, options, deadline);
-         }).best;
+  return relax::maximize_dual(part,
+                              {},
+                              loop,
+                              [&](const DualFunction& point) {
+                                return recover_recursively(part, point, options, deadline);
+                              })
+      .best;
 }
 
 // In two dimensions the relaxed solution is the solution.
@@ -101,8 +109,10 @@ RecoveryProblem make_recovery_problem(const Component& component, const DualFunc
   return Builder(component).build(point);
 }
 
-Packing recover_recursively(const Component& component, const DualFunction& point,
-                            const RelaxationOptions& options, const Deadline& deadline) {
+Packing recover_recursively(const Component& component,
+                            const DualFunction& point,
+                            const RelaxationOptions& options,
+                            const Deadline& deadline) {
   if (component.num_dimensions() == 2) return take_chosen(component, point);
   const RecoveryProblem problem = make_recovery_problem(component, point);
   std::vector<bool> covered(problem.default_arc.size(), false);

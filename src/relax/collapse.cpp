@@ -2,10 +2,11 @@
 
 #include <array>
 
-// Nearly all time of the relaxation goes into this loop (report, section 5: "the dominant computational part
-// is the evaluation of the relaxed two-dimensional cost coefficients").  Columns are read as streams, the
-// multipliers by gathers that stay in cache; with N fixed at compile time the inner loop has no branches but the
-// minimum.  The report breaks ties by the lexicographically smallest tuple, which is the first arc of the run.
+// Nearly all time of the relaxation goes into this loop (report, section 5: "the dominant
+// computational part is the evaluation of the relaxed two-dimensional cost coefficients").  Columns
+// are read as streams, the multipliers by gathers that stay in cache; with N fixed at compile time
+// the inner loop has no branches but the minimum.  The report breaks ties by the lexicographically
+// smallest tuple, which is the first arc of the run.
 
 namespace nda::relax {
 namespace {
@@ -20,8 +21,11 @@ struct Relaxed {
 
 // kRelaxed = N - 2 relaxed dimensions; 0 means that the number is only known at run time.
 template <int kRelaxed>
-void collapse_cells(const Component& component, const Cells& cells,
-                    std::span<const Relaxed> relaxed, std::span<double> d, std::span<ArcId> arc) {
+void collapse_cells(const Component& component,
+                    const Cells& cells,
+                    std::span<const Relaxed> relaxed,
+                    std::span<double> d,
+                    std::span<ArcId> arc) {
   const int num_relaxed = kRelaxed > 0 ? kRelaxed : static_cast<int>(relaxed.size());
   std::array<Relaxed, kMaxDimensions> columns;
   std::copy(relaxed.begin(), relaxed.end(), columns.begin());
@@ -58,8 +62,11 @@ Cells find_cells(const Component& component) {
   return cells;
 }
 
-void collapse(const Component& component, const Cells& cells, std::span<const double> u,
-              std::span<double> d, std::span<ArcId> arc) {
+void collapse(const Component& component,
+              const Cells& cells,
+              std::span<const double> u,
+              std::span<double> d,
+              std::span<ArcId> arc) {
   std::array<Relaxed, kMaxDimensions> storage;
   const std::size_t num_relaxed = component.sizes.size() - 2;
   for (std::size_t k = 0; k < num_relaxed; ++k) {
@@ -67,13 +74,20 @@ void collapse(const Component& component, const Cells& cells, std::span<const do
   }
   const std::span<const Relaxed> relaxed(storage.data(), num_relaxed);
   switch (num_relaxed) {
-    case 1: return collapse_cells<1>(component, cells, relaxed, d, arc);
-    case 2: return collapse_cells<2>(component, cells, relaxed, d, arc);
-    case 3: return collapse_cells<3>(component, cells, relaxed, d, arc);
-    case 4: return collapse_cells<4>(component, cells, relaxed, d, arc);
-    case 5: return collapse_cells<5>(component, cells, relaxed, d, arc);
-    case 6: return collapse_cells<6>(component, cells, relaxed, d, arc);
-    default: return collapse_cells<0>(component, cells, relaxed, d, arc);
+    case 1:
+      return collapse_cells<1>(component, cells, relaxed, d, arc);
+    case 2:
+      return collapse_cells<2>(component, cells, relaxed, d, arc);
+    case 3:
+      return collapse_cells<3>(component, cells, relaxed, d, arc);
+    case 4:
+      return collapse_cells<4>(component, cells, relaxed, d, arc);
+    case 5:
+      return collapse_cells<5>(component, cells, relaxed, d, arc);
+    case 6:
+      return collapse_cells<6>(component, cells, relaxed, d, arc);
+    default:
+      return collapse_cells<0>(component, cells, relaxed, d, arc);
   }
 }
 

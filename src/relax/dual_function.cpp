@@ -5,11 +5,15 @@
 #include "core/clock.hpp"
 
 // Report, sections 3.1 and 4.1, for m = 2, with three liberties.
-//   - The problem is shifted, so that every index may stay uncovered at cost 0.  Rows and columns of the
-//     assignment then have outside options instead of dummies that may repeat: fewer nodes, same optimum.
-//   - Singletons of relaxed indices are relaxed with everything else; eq. (3.3) puts them into c(0..0).  Their
+//   - The problem is shifted, so that every index may stay uncovered at cost 0.  Rows and columns
+//   of the
+//     assignment then have outside options instead of dummies that may repeat: fewer nodes, same
+//     optimum.
+//   - Singletons of relaxed indices are relaxed with everything else; eq. (3.3) puts them into
+//   c(0..0).  Their
 //     part is closed: min(0, 0 - u_i) + u_i = min(0, u_i).  u needs no sign and no box.
-//   - At u_i = 0 the singleton is indifferent; we use it exactly when no arc uses i, which gives the subgradient
+//   - At u_i = 0 the singleton is indifferent; we use it exactly when no arc uses i, which gives
+//   the subgradient
 //     nearest to zero among its choices.
 
 namespace nda::relax {
@@ -22,7 +26,8 @@ constexpr std::uint32_t kNoCell = ~std::uint32_t{0};
 
 }  // namespace
 
-// The two-dimensional problem: its structure is that of the cells and stays fixed, its costs change.
+// The two-dimensional problem: its structure is that of the cells and stays fixed, its costs
+// change.
 struct DualFunction::Assignment {
   std::unique_ptr<Assign2dSolver> solver;
   Assign2dResult result;
@@ -78,7 +83,8 @@ struct DualFunction::Assignment {
     const auto begin = column.begin() + row_start[row];
     const auto end = column.begin() + row_start[row + 1];
     const auto wanted = static_cast<std::uint32_t>(result.column_of_row[row]);
-    return pair_cell[static_cast<std::size_t>(std::lower_bound(begin, end, wanted) - column.begin())];
+    return pair_cell[static_cast<std::size_t>(std::lower_bound(begin, end, wanted) -
+                                              column.begin())];
   }
 };
 
@@ -90,8 +96,8 @@ DualFunction::DualFunction(const Component& component, Assign2dMethod method)
       d_(cells_.num_cells()),
       cell_arc_(cells_.num_cells()),
       assignment_(std::make_unique<Assignment>(component, cells_, method)) {
-  first_slot_ = component.num_dimensions() > 2 ? component.offset[2]
-                                               : static_cast<std::uint32_t>(num_slots_);
+  first_slot_ =
+      component.num_dimensions() > 2 ? component.offset[2] : static_cast<std::uint32_t>(num_slots_);
 }
 
 DualFunction::~DualFunction() = default;
@@ -119,7 +125,8 @@ double DualFunction::evaluate(std::span<const double> u, std::span<double> subgr
   return value;
 }
 
-// Collects the relaxed solution of the assignment (3.5); subgradient then holds minus the uses of its arcs.
+// Collects the relaxed solution of the assignment (3.5); subgradient then holds minus the uses of
+// its arcs.
 void DualFunction::choose(std::span<double> subgradient) {
   chosen_.clear();
   aligned_cells_.clear();

@@ -4,10 +4,10 @@
 
 #include "dual/maximize.hpp"
 
-// The report recovers once, from the optimal multipliers; but its own implementation recovers at every
-// nonsmooth step once the problem is three-dimensional, because neighbouring multipliers give different
-// alignments and each is a new chance.  `recovery_interval` covers both.
-// A packing of cost z recovered on the way ends the loop when the bound reaches z: hence the goal moves.
+// The report recovers once, from the optimal multipliers; but its own implementation recovers at
+// every nonsmooth step once the problem is three-dimensional, because neighbouring multipliers give
+// different alignments and each is a new chance.  `recovery_interval` covers both. A packing of
+// cost z recovered on the way ends the loop when the bound reaches z: hence the goal moves.
 
 namespace nda::relax {
 namespace {
@@ -36,7 +36,8 @@ class Loop {
       best_point_.assign(iterate.point.begin(), iterate.point.end());
       function_.multipliers(iterate.point, best_multipliers_);
     }
-    if (options_.recovery_interval > 0 && (result_.evaluations - 1) % options_.recovery_interval == 0) {
+    if (options_.recovery_interval > 0 &&
+        (result_.evaluations - 1) % options_.recovery_interval == 0) {
       recover();
     }
     return best_value_ < goal() && !options_.deadline.reached();
@@ -50,7 +51,9 @@ class Loop {
   }
 
  private:
-  double goal() const { return std::min(options_.goal, result_.recoveries > 0 ? result_.best.cost : kInfinity); }
+  double goal() const {
+    return std::min(options_.goal, result_.recoveries > 0 ? result_.best.cost : kInfinity);
+  }
 
   void recover() {
     if (!recover_) return;
@@ -70,18 +73,23 @@ class Loop {
 
 }  // namespace
 
-LagrangianResult maximize_dual(const Component& component, std::span<const double> warm,
-                               const LagrangianOptions& options, const Recover& recover) {
+LagrangianResult maximize_dual(const Component& component,
+                               std::span<const double> warm,
+                               const LagrangianOptions& options,
+                               const Recover& recover) {
   Loop loop(component, options, recover);
   std::vector<double> start(loop.function().num_variables(), 0.0);
-  if (!warm.empty()) std::copy(warm.begin() + loop.function().first_slot(), warm.end(), start.begin());
+  if (!warm.empty())
+    std::copy(warm.begin() + loop.function().first_slot(), warm.end(), start.begin());
 
   dual::MaximizeOptions limits;
   limits.max_evaluations = options.max_evaluations;
   limits.relative_tolerance = options.relative_tolerance;
   limits.target = options.goal;
-  dual::maximize(options.dual_method, loop.function(), start, limits,
-                 [&](const dual::Iterate& iterate) { return loop.observe(iterate); });
+  dual::maximize(
+      options.dual_method, loop.function(), start, limits, [&](const dual::Iterate& iterate) {
+        return loop.observe(iterate);
+      });
   loop.recover_at_best();
 
   LagrangianResult result = std::move(loop.result());

@@ -19,8 +19,9 @@ struct LagrangianOptions {
   Assign2dMethod assign2d = Assign2dMethod::kShortestPath;
   int max_evaluations = 100;
   double relative_tolerance = 1e-7;
-  int recovery_interval = 1;    ///< recover at evaluations 1, 1 + interval, ...; 0 = only at the best point, at the end
-  double goal = kInfinity;      ///< stop once the bound reaches it: nothing cheaper is wanted
+  int recovery_interval =
+      1;  ///< recover at evaluations 1, 1 + interval, ...; 0 = only at the best point, at the end
+  double goal = kInfinity;  ///< stop once the bound reaches it: nothing cheaper is wanted
   core::Deadline deadline;
 };
 
@@ -32,10 +33,12 @@ struct LagrangianResult {
   int recoveries = 0;
 };
 
-/// The Lagrangian loop: maximises the dual function of a component from the multipliers `warm` (by slot; empty = 0),
-/// recovering packings on the way.  Source: report, section 3.3, steps A to D for m = 2.
-/// Cost: evaluations * (O(A N) + one 2-D assignment).
-LagrangianResult maximize_dual(const core::Component& component, std::span<const double> warm,
-                               const LagrangianOptions& options, const Recover& recover);
+/// The Lagrangian loop: maximises the dual function of a component from the multipliers `warm` (by
+/// slot; empty = 0), recovering packings on the way.  Source: report, section 3.3, steps A to D for
+/// m = 2. Cost: evaluations * (O(A N) + one 2-D assignment).
+LagrangianResult maximize_dual(const core::Component& component,
+                               std::span<const double> warm,
+                               const LagrangianOptions& options,
+                               const Recover& recover);
 
 }  // namespace nda::relax

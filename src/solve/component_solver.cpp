@@ -14,11 +14,11 @@
 #include "recovery/recursive.hpp"
 #include "relax/lagrangian.hpp"
 
-// The order of work on one component follows what was measured (docs/pipeline.md): enumerate the small ones;
-// relax to two dimensions, recovering on the way; improve the best packing; drop what reduced costs exclude;
-// branch on what is left, with the same relaxation as bound in every node.
+// The order of work on one component follows what was measured (docs/pipeline.md): enumerate the
+// small ones; relax to two dimensions, recovering on the way; improve the best packing; drop what
+// reduced costs exclude; branch on what is left, with the same relaxation as bound in every node.
 
-namespace nda::solve {
+namespace nda::pipeline {
 namespace {
 
 using core::ArcId;
@@ -27,6 +27,9 @@ using core::Packing;
 
 constexpr std::int64_t kEnumerationNodes = 200000;
 constexpr int kFeasibleSweeps = 3;
+constexpr std::size_t kCoreArcsPerIndex = 20;
+// The second round searches so many times longer than the first.
+constexpr int kFinishEffort = 10;
 
 relax::LagrangianOptions loop_options(const Options& options, const core::Deadline& deadline) {
   relax::LagrangianOptions loop;
@@ -63,13 +66,17 @@ Precision precision_of(const Component& component, const core::CostGrid& grid) {
   for (const double cost : component.costs) largest = std::max(largest, std::abs(cost));
   Precision precision;
   precision.error = 0x1p-50 * static_cast<double>(component.num_indices()) * largest;
-  precision.margin = grid.step > 8 * precision.error ? grid.step - 2 * precision.error : precision.error;
+  precision.margin =
+      grid.step > 8 * precision.error ? grid.step - 2 * precision.error : precision.error;
   return precision;
 }
 
-ComponentSolver::ComponentSolver(const Component& component, const Options& options,
-                                 const core::CostGrid& grid, std::uint64_t seed,
-                                 const core::Deadline& deadline, Monitor& monitor)
+ComponentSolver::ComponentSolver(const Component& component,
+                                 const Options& options,
+                                 const core::CostGrid& grid,
+                                 std::uint64_t seed,
+                                 const core::Deadline& deadline,
+                                 Monitor& monitor)
     : component_(component),
       options_(options),
       deadline_(deadline),
@@ -79,17 +86,18 @@ ComponentSolver::ComponentSolver(const Component& component, const Options& opti
   state_.live_arcs = component.num_arcs();
   state_.u.assign(component.num_slots(), 0.0);
   state_.certificate = state_.lower = relax::make_feasible(component, state_.u);
-  monitor_.moved(0.0, state_.lower, "coordinate ascent");
+  monitor_.add_component(state_.lower);
 }
 
 void ComponentSolver::start() {
   if (deadline_.reached()) return;
   if (component_.num_dimensions() == 2) return solve_assignment();
-  if (component_.num_arcs() <= options_.branch.exact_arcs || options_.method == Method::kExact) enumerate();
+  if (component_.num_arcs() <= options_.branch.exact_arcs || options_.method == Method::kExact)
+    enumerate();
   if (state_.complete) return;
   offer(recovery::greedy(component_, component_.costs), "greedy");
-  if (options_.search.local_search) search(options_.search.perturbations);
   relax();
+  search(1);
 }
 
 void ComponentSolver::finish(double allowed_gap) {
@@ -98,9 +106,7 @@ void ComponentSolver::finish(double allowed_gap) {
     return;
   }
   if (close_enough(allowed_gap) || deadline_.reached()) return;
-  if (options_.search.local_search) {
-    search(10 * options_.search.perturbations + static_cast<std::int64_t>(component_.num_arcs()));
-  }
+  search(kFinishEffort);
   if (!close_enough(allowed_gap)) branch(allowed_gap);
 }
 
@@ -146,14 +152,9 @@ void ComponentSolver::relax() {
   loop.max_evaluations = options_.relaxation.max_evaluations;
   loop.recovery_interval = options_.relaxation.recovery_interval;
   loop.goal = cutoff();
-  core::Random random(seed_ + 1);
-  recovery::LocalSearch local_search(component_);
   const auto recover = [&](const relax::DualFunction& point) {
     Packing packing =
         recovery::recover_recursively(component_, point, options_.relaxation, deadline_);
-    if (options_.search.local_search) {
-      local_search.improve(packing, 0, state_.lower, random, deadline_);
-    }
     offer(packing, "recovery");
     return packing;
   };
@@ -167,18 +168,47 @@ void ComponentSolver::relax() {
   }
 }
 
-void ComponentSolver::search(std::int64_t kicks) {
-  core::Random random(seed_ + static_cast<std::uint64_t>(state_.recoveries) + 2);
-  recovery::LocalSearch local_search(component_);
-  std::vector<ArcId> candidates;
-  const double reach = state_.best.cost - state_.certificate;
-  for (ArcId a = 0; a < component_.num_arcs(); ++a) {
-    if (core::reduced_cost(component_, state_.u, a) < reach) candidates.push_back(a);
-  }
-  local_search.set_candidates(std::move(candidates));
+// Searches among the arcs of least reduced cost only: no packing better than the best uses an arc
+// whose reduced cost exceeds the gap, and the few cheapest of the rest are the ones that matter.
+void ComponentSolver::search(int effort) {
+  if (state_.complete || !options_.search.local_search || deadline_.reached()) return;
+  const std::vector<ArcId> core_arcs = promising_arcs();
+  core::Cutter cutter;
+  const Component core = cutter.cut(component_, core_arcs);
+  core::Random random(seed_ + static_cast<std::uint64_t>(effort));
   Packing packing = state_.best;
-  local_search.improve(packing, kicks, state_.lower + precision_.error, random, deadline_);
+  for (ArcId& a : packing.arcs) {
+    a = static_cast<ArcId>(std::lower_bound(core_arcs.begin(), core_arcs.end(), a) -
+                           core_arcs.begin());
+  }
+  const std::int64_t kicks = std::int64_t{effort} * options_.search.kicks_per_index *
+                             static_cast<std::int64_t>(core.num_indices());
+  recovery::LocalSearch(core).improve(
+      packing, kicks, state_.lower + precision_.error, random, deadline_);
+  for (ArcId& a : packing.arcs) a = core_arcs[a];
   offer(packing, "local search");
+}
+
+// Arcs of reduced cost below the gap, at most kCoreArcsPerIndex per index, and those of the best
+// packing.
+std::vector<ArcId> ComponentSolver::promising_arcs() const {
+  const double gap = state_.best.cost - state_.certificate;
+  std::vector<std::pair<double, ArcId>> ranked;
+  for (ArcId a = 0; a < component_.num_arcs(); ++a) {
+    const double r = core::reduced_cost(component_, state_.u, a);
+    if (r < gap) ranked.push_back({r, a});
+  }
+  const std::size_t limit = kCoreArcsPerIndex * component_.num_indices();
+  if (ranked.size() > limit) {
+    std::nth_element(
+        ranked.begin(), ranked.begin() + static_cast<std::ptrdiff_t>(limit), ranked.end());
+    ranked.resize(limit);
+  }
+  std::vector<ArcId> arcs = state_.best.arcs;
+  for (const auto& entry : ranked) arcs.push_back(entry.second);
+  std::sort(arcs.begin(), arcs.end());
+  arcs.erase(std::unique(arcs.begin(), arcs.end()), arcs.end());
+  return arcs;
 }
 
 void ComponentSolver::branch(double allowed_gap) {
@@ -234,7 +264,8 @@ bool ComponentSolver::offer(const Packing& packing, const char* event) {
 }
 
 void ComponentSolver::raise_bound(double lower, const char* event) {
-  // Nothing is cheaper than the best by less than the margin, so a bound in between proves the best.
+  // Nothing is cheaper than the best by less than the margin, so a bound in between proves the
+  // best.
   const bool meets = std::max(lower, state_.lower) >= cutoff();
   if (meets) lower = std::max(lower, state_.best.cost - precision_.error);
   if (lower > state_.lower) {
@@ -251,4 +282,4 @@ bool ComponentSolver::close_enough(double allowed_gap) const {
   return state_.complete || state_.best.cost - state_.lower <= allowed_gap;
 }
 
-}  // namespace nda::solve
+}  // namespace nda::pipeline

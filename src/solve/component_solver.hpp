@@ -7,9 +7,10 @@
 #include "core/component.hpp"
 #include "core/shift.hpp"
 #include "nda/options.hpp"
+#include "nda/solution.hpp"
 #include "solve/monitor.hpp"
 
-namespace nda::solve {
+namespace nda::pipeline {
 
 /// Tells equal costs from different ones within a component (docs/numerics.md).
 struct Precision {
@@ -17,31 +18,35 @@ struct Precision {
   double margin = 0;  ///< a packing that is better at all is better by more than this; >= error
 };
 
-/// error = 2^-50 * indices * largest |c'|, a bound on what any sum of costs or multipliers of the component
-/// rounds off; margin = step - 2 error where costs lie on a grid that coarse, else error.
+/// error = 2^-50 * indices * largest |c'|, a bound on what any sum of costs or multipliers of the
+/// component rounds off; margin = step - 2 error where costs lie on a grid that coarse, else error.
 Precision precision_of(const core::Component& component, const core::CostGrid& grid);
 
 /// What is known of a component.
 struct ComponentState {
-  core::Packing best;          ///< in arcs of the component
-  std::vector<double> u;       ///< feasible multipliers by slot: the certificate
-  double certificate = 0;      ///< sum u
-  double lower = 0;            ///< proven bound, >= certificate where branching helped
-  bool complete = false;       ///< best is optimal to precision.error
-  const char* method = "";     ///< what solved it, or worked on it last
+  core::Packing best;                 ///< in arcs of the component
+  std::vector<double> u;              ///< feasible multipliers by slot: the certificate
+  double certificate = 0;             ///< sum u
+  double lower = 0;                   ///< proven bound, >= certificate where branching helped
+  bool complete = false;              ///< best is optimal to precision.error
+  const char* method = "";            ///< what solved it, or worked on it last
   Status stopped = Status::kOptimal;  ///< why work on it ended, if not complete
   std::int64_t evaluations = 0;
   std::int64_t recoveries = 0;
   std::int64_t nodes = 0;
-  std::size_t live_arcs = 0;   ///< after reduced-cost fixing
+  std::size_t live_arcs = 0;  ///< after reduced-cost fixing
 };
 
 /// Solves one component in two stages, so that all components get a solution and a bound before any
-/// is worked on for long.  Deterministic: limits are counted in work; only the deadline looks at a clock.
+/// is worked on for long.  Deterministic: limits are counted in work; only the deadline looks at a
+/// clock.
 class ComponentSolver {
  public:
-  ComponentSolver(const core::Component& component, const Options& options,
-                  const core::CostGrid& grid, std::uint64_t seed, const core::Deadline& deadline,
+  ComponentSolver(const core::Component& component,
+                  const Options& options,
+                  const core::CostGrid& grid,
+                  std::uint64_t seed,
+                  const core::Deadline& deadline,
                   Monitor& monitor);
 
   /// First stage: exact where that is quick, else relaxation with recovery and local search.
@@ -58,7 +63,8 @@ class ComponentSolver {
   void solve_assignment();
   void enumerate();
   void relax();
-  void search(std::int64_t kicks);
+  void search(int effort);
+  std::vector<core::ArcId> promising_arcs() const;
   void branch(double allowed_gap);
   bool offer(const core::Packing& packing, const char* event);
   void raise_bound(double lower, const char* event);
@@ -74,4 +80,4 @@ class ComponentSolver {
   ComponentState state_;
 };
 
-}  // namespace nda::solve
+}  // namespace nda::pipeline

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace nda::solve {
+namespace nda::pipeline {
 namespace {
 
 constexpr std::size_t kMostNamed = 8;
@@ -47,4 +47,4 @@ std::vector<RealIndex> indices_without_arcs(const Problem& problem) {
   return lonely;
 }
 
-}  // namespace nda::solve
+}  // namespace nda::pipeline

@@ -5,7 +5,7 @@
 
 #include "nda/problem.hpp"
 
-namespace nda::solve {
+namespace nda::pipeline {
 
 /// A real index: dimension k (from 0) and number i (from 1).
 struct RealIndex {
@@ -13,12 +13,12 @@ struct RealIndex {
   Index index;
 };
 
-/// The reason of an infeasible problem in one sentence.  `uncovered`: forbidden-singleton indices that the best
-/// solution of the penalised problem leaves uncovered; it covers as many as can be covered at once
-/// as far as the penalty sees.
+/// The reason of an infeasible problem in one sentence.  `uncovered`: forbidden-singleton indices
+/// that the best solution of the penalised problem leaves uncovered; it covers as many as can be
+/// covered at once as far as the penalty sees.
 std::string infeasibility_reason(const Problem& problem, const std::vector<RealIndex>& uncovered);
 
 /// Indices that no arc contains though their singleton is forbidden.
 std::vector<RealIndex> indices_without_arcs(const Problem& problem);
 
-}  // namespace nda::solve
+}  // namespace nda::pipeline

@@ -1,23 +1,30 @@
 #include "solve/monitor.hpp"
 
-namespace nda::solve {
+namespace nda::pipeline {
 
-Monitor::Monitor(const std::function<bool(const Progress&)>& callback, double constant,
-                 std::size_t num_components, std::stop_source stop)
-    : callback_(callback), stop_(std::move(stop)) {
+Monitor::Monitor(const std::function<bool(const Progress&)>& callback,
+                 double constant,
+                 std::size_t num_components,
+                 std::stop_source stop)
+    : callback_(callback),
+      stop_(std::move(stop)),
+      num_unbounded_(num_components),
+      bound_sum_(constant) {
   progress_.cost = constant;
   progress_.num_components = num_components;
 }
 
-void Monitor::set_bound(double lower_bound) {
+void Monitor::add_component(double lower_bound) {
   const std::lock_guard lock(mutex_);
-  progress_.lower_bound = lower_bound;
+  bound_sum_ += lower_bound;
+  if (--num_unbounded_ == 0) progress_.lower_bound = bound_sum_;
 }
 
 void Monitor::moved(double cost_change, double bound_change, const char* event) {
   const std::lock_guard lock(mutex_);
   progress_.cost += cost_change;
-  progress_.lower_bound += bound_change;
+  bound_sum_ += bound_change;
+  if (num_unbounded_ == 0) progress_.lower_bound = bound_sum_;
   tell(event);
 }
 
@@ -33,4 +40,4 @@ void Monitor::tell(const char* event) {
   if (!callback_(progress_)) stop_.request_stop();
 }
 
-}  // namespace nda::solve
+}  // namespace nda::pipeline

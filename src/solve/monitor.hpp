@@ -7,18 +7,20 @@
 #include "core/clock.hpp"
 #include "nda/options.hpp"
 
-namespace nda::solve {
+namespace nda::pipeline {
 
 /// Adds up what the components report and tells the user; safe to call from several threads.
 class Monitor {
  public:
   /// @param constant  cost of choosing nothing: components report shifted costs.
   /// @param stop      asked to stop when the user's callback returns false.
-  Monitor(const std::function<bool(const Progress&)>& callback, double constant,
-          std::size_t num_components, std::stop_source stop);
+  Monitor(const std::function<bool(const Progress&)>& callback,
+          double constant,
+          std::size_t num_components,
+          std::stop_source stop);
 
-  /// The sum of the components' bounds becomes known.
-  void set_bound(double lower_bound);
+  /// A component has its first bound.  The sum is a bound once all have one; -inf until then.
+  void add_component(double lower_bound);
   /// A component's best cost and bound moved by so much.
   void moved(double cost_change, double bound_change, const char* event);
   void component_done();
@@ -30,7 +32,9 @@ class Monitor {
   std::stop_source stop_;
   core::Stopwatch watch_;
   std::mutex mutex_;
+  std::size_t num_unbounded_;
+  double bound_sum_;
   Progress progress_;
 };
 
-}  // namespace nda::solve
+}  // namespace nda::pipeline

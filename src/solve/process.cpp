@@ -2,7 +2,7 @@
 
 #include <sys/resource.h>
 
-namespace nda::solve {
+namespace nda::pipeline {
 
 std::size_t peak_memory_bytes() {
   rusage usage{};
@@ -10,4 +10,4 @@ std::size_t peak_memory_bytes() {
   return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
 }
 
-}  // namespace nda::solve
+}  // namespace nda::pipeline

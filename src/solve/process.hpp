@@ -2,9 +2,9 @@
 
 #include <cstddef>
 
-namespace nda::solve {
+namespace nda::pipeline {
 
 /// Largest resident set of this process so far; 0 where the system does not tell.
 std::size_t peak_memory_bytes();
 
-}  // namespace nda::solve
+}  // namespace nda::pipeline

@@ -19,18 +19,18 @@
 #include "solve/monitor.hpp"
 #include "solve/process.hpp"
 
-// The pipeline: shift, split, solve the parts in two rounds, merge.  The first round gives every component a
-// solution and a bound, the second works on those that are not yet closed.  Components are independent, so
-// they run in parallel and the answer does not depend on how many at once.
+// The pipeline: shift, split, solve the parts in two rounds, merge.  The first round gives every
+// component a solution and a bound, the second works on those that are not yet closed.  Components
+// are independent, so they run in parallel and the answer does not depend on how many at once.
 
 namespace nda {
 namespace {
 
 using core::ArcId;
 using core::Component;
-using solve::ComponentSolver;
-using solve::ComponentState;
-using solve::Monitor;
+using pipeline::ComponentSolver;
+using pipeline::ComponentState;
+using pipeline::Monitor;
 
 // What merging takes per arc: the certificate, in double-double.
 constexpr double kMergeSecondsPerArc = 1e-8;
@@ -55,7 +55,6 @@ class Pipeline {
     partition_ = decompose::partition(problem_, shift_);
     parts_.resize(partition_.num_components());
     Monitor monitor(options_.progress, shift_.constant, parts_.size(), stop_);
-    monitor.set_bound(shift_.constant);
     for_all_parts([&](std::size_t p) { start(p, monitor); });
     const double gap = options_.relative_gap * std::abs(total(&best_cost));
     const double open = total(&best_cost) - total(&lower_bound);
@@ -86,8 +85,8 @@ class Pipeline {
     tbb::task_arena arena(options_.num_threads == 0 ? tbb::task_arena::automatic
                                                     : options_.num_threads);
     arena.execute([&] {
-      tbb::parallel_for(std::size_t{0}, parts_.size(), std::size_t{1}, work,
-                        tbb::simple_partitioner());
+      tbb::parallel_for(
+          std::size_t{0}, parts_.size(), std::size_t{1}, work, tbb::simple_partitioner());
     });
   }
 
@@ -95,8 +94,8 @@ class Pipeline {
     Part& part = parts_[p];
     core::Cutter cutter;
     part.component = cutter.cut(problem_, shift_, partition_.component(p));
-    part.solver = std::make_unique<ComponentSolver>(part.component, options_, grid_,
-                                                    options_.seed + 1000003 * p, deadline_, monitor);
+    part.solver = std::make_unique<ComponentSolver>(
+        part.component, options_, grid_, options_.seed + 1000003 * p, deadline_, monitor);
     part.solver->start();
   }
 
@@ -121,7 +120,7 @@ class Pipeline {
     merge_bounds(solution);
     set_status(solution);
     solution.stats.solve_seconds = deadline_.seconds();
-    solution.stats.peak_memory_bytes = solve::peak_memory_bytes();
+    solution.stats.peak_memory_bytes = pipeline::peak_memory_bytes();
     return solution;
   }
 
@@ -169,8 +168,10 @@ class Pipeline {
       const auto singletons = problem_.singleton_costs(k);
       for (Index i = 1; i < singletons.size(); ++i) {
         if (covered[static_cast<std::size_t>(k)][i]) continue;
-        if (singletons[i] == kInfinity) missing_.push_back({k, i});
-        else cost.add(singletons[i]);
+        if (singletons[i] == kInfinity)
+          missing_.push_back({k, i});
+        else
+          cost.add(singletons[i]);
       }
     }
     if (!missing_.empty()) return;
@@ -188,7 +189,8 @@ class Pipeline {
       for (std::size_t k = 0; k < part.component.sizes.size(); ++k) {
         for (Index i = 1; i <= part.component.sizes[k]; ++i) {
           const std::uint32_t slot = part.component.offset[k] + i;
-          solution.multipliers[part.component.dimensions[k]][part.component.origin[slot] - 1] += u[slot];
+          solution.multipliers[part.component.dimensions[k]][part.component.origin[slot] - 1] +=
+              u[slot];
         }
       }
     }
@@ -200,7 +202,8 @@ class Pipeline {
     for (const Part& part : parts_) error += part.solver->precision().error;
     const double branched = total(&lower_bound) - error;
     solution.lower_bound = std::max(solution.stats.certificate_bound, branched);
-    if (!solution.solutions.empty()) solution.lower_bound = std::min(solution.lower_bound, solution.cost);
+    if (!solution.solutions.empty())
+      solution.lower_bound = std::min(solution.lower_bound, solution.cost);
     solution.stats.bound_by_branching = solution.lower_bound > solution.stats.certificate_bound;
   }
 
@@ -214,8 +217,10 @@ class Pipeline {
       complete = complete && state.complete;
       if (!state.complete && state.stopped != Status::kOptimal) stopped = state.stopped;
     }
-    if (deadline_.interrupted()) stopped = Status::kInterrupted;
-    else if (deadline_.expired()) stopped = Status::kTimeLimit;
+    if (deadline_.interrupted())
+      stopped = Status::kInterrupted;
+    else if (deadline_.expired())
+      stopped = Status::kTimeLimit;
     if (!missing_.empty()) return set_infeasible(solution, complete, stopped);
     const double allowed = std::max(options_.relative_gap, 1e-9) * std::abs(solution.cost);
     if (complete && (error <= 1e-9 * std::abs(solution.cost) || error <= 1e-9 * smallest_cost())) {
@@ -233,11 +238,11 @@ class Pipeline {
 
   void set_infeasible(Solution& solution, bool complete, Status stopped) const {
     solution.cost = kInfinity;
-    if (complete || !solve::indices_without_arcs(problem_).empty()) {
+    if (complete || !pipeline::indices_without_arcs(problem_).empty()) {
       solution.status = Status::kInfeasible;
       solution.lower_bound = kInfinity;
       solution.multipliers.clear();
-      solution.reason = solve::infeasibility_reason(problem_, missing_);
+      solution.reason = pipeline::infeasibility_reason(problem_, missing_);
     } else {
       solution.status = stopped;
       solution.lower_bound = solution.stats.certificate_bound;
@@ -266,7 +271,8 @@ class Pipeline {
   core::CostGrid grid_;
   decompose::Partition partition_;
   std::vector<Part> parts_;
-  std::vector<solve::RealIndex> missing_;  // forbidden singletons that the best packing leaves uncovered
+  std::vector<pipeline::RealIndex>
+      missing_;  // forbidden singletons that the best packing leaves uncovered
 };
 
 }  // namespace

@@ -53,7 +53,9 @@ TEST(ProblemBuilder, DropsForbiddenArcsAndKeepsForbiddenSingletons) {
 
 TEST(ProblemBuilder, NamesWhatIsWrong) {
   ProblemBuilder builder({3, 7});
-  EXPECT_THAT(message_of([&] { builder.add_arc({1, 9}, 0); }),
+  EXPECT_THAT(message_of([&] {
+                builder.add_arc({1, 9}, 0);
+              }),
               HasSubstr("index 9 of dimension 2 exceeds 7"));
   EXPECT_THAT(message_of([&] { builder.add_arc({1, 2, 3}, 0); }), HasSubstr("tuple has 3 indices"));
   EXPECT_THAT(message_of([&] { builder.add_arc({0, 0}, 0); }), HasSubstr("all indices"));

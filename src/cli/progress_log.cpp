@@ -1,0 +1,39 @@
+#include "cli/progress_log.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace nda::cli {
+namespace {
+
+constexpr double kInterval_s = 0.1;
+
+}  // namespace
+
+void ProgressLog::operator()(const Progress& progress) {
+  const double gap =
+      (progress.cost - progress.lower_bound) / std::max(1e-9, std::abs(progress.cost));
+  const bool closed = gap <= 1e-12;
+  if (progress.seconds < next_seconds_ &&
+      !(closed && progress.components_done == progress.num_components)) {
+    return;
+  }
+  next_seconds_ = progress.seconds + kInterval_s;
+  if (!started_)
+    out_ << "   time (s)               cost        lower bound      gap %    done  event\n";
+  started_ = true;
+  char line[160];
+  std::snprintf(line,
+                sizeof line,
+                "%11.3f %18.6f %18.6f %10.4f %7zu  %s\n",
+                progress.seconds,
+                progress.cost,
+                progress.lower_bound,
+                100 * gap,
+                progress.components_done,
+                progress.event);
+  out_ << line << std::flush;
+}
+
+}  // namespace nda::cli
