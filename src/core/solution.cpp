@@ -34,7 +34,7 @@ double Solution::gap() const {
 
 double Solution::relative_gap() const {
   const double absolute = gap();
-  return absolute < kInfinity ? absolute / std::max(1e-9, std::abs(cost)) : kInfinity;
+  return std::isinf(absolute) ? absolute : absolute / std::max(1e-9, std::abs(cost));
 }
 
 }  // namespace nda
