@@ -1,12 +1,13 @@
 // The experiments of the AFOSR report (1995), section 5, again; bench/report.py draws them.
 //
-//   report_benchmark arcs [PROBLEMS]      figure 5.1: time against the number of arcs, 20 nonsmooth steps
-//   report_benchmark steps [PROBLEMS]     figure 5.2: time against nonsmooth steps, 10,000 arcs
-//   report_benchmark quality [PROBLEMS]   figure 5.3: recovered value, dual value, randomised greedy; optimum = 100
+//   report_benchmark arcs [PROBLEMS]      figure 5.1: time against the number of arcs, 20 nonsmooth
+//   steps report_benchmark steps [PROBLEMS]     figure 5.2: time against nonsmooth steps, 10,000
+//   arcs report_benchmark quality [PROBLEMS]   figure 5.3: recovered value, dual value, randomised
+//   greedy; optimum = 100
 //
-// Output is CSV.  As in the report, every problem of three or more dimensions takes the same number of nonsmooth steps,
-// recovery follows the last one, and at three dimensions every one.  For figure 5.3 recovery at every step of the
-// four-dimensional problem is shown as well.
+// Output is CSV.  As in the report, every problem of three or more dimensions takes the same number
+// of nonsmooth steps, recovery follows the last one, and at three dimensions every one.  For
+// figure 5.3 recovery at every step of the four-dimensional problem is shown as well.
 
 #include <cmath>
 #include <cstdio>
@@ -47,8 +48,8 @@ Run relax_and_recover(const Component& component, int steps, double tolerance, i
   recovery.relative_tolerance = tolerance;
   Run run;
   const nda::core::Stopwatch watch;
-  const auto result = nda::relax::maximize_dual(
-      component, {}, loop, [&](const nda::relax::DualFunction& point) {
+  const auto result =
+      nda::relax::maximize_dual(component, {}, loop, [&](const nda::relax::DualFunction& point) {
         run.collapse_seconds = point.collapse_seconds();
         return nda::recovery::recover_recursively(component, point, recovery, {});
       });
@@ -92,7 +93,10 @@ void print_mean_time(std::size_t arcs, int steps, int problems) {
     sum.seconds += run.seconds;
     sum.collapse_seconds += run.collapse_seconds;
   }
-  std::printf("%zu,%d,%.6f,%.6f\n", arcs, steps, 1e3 * sum.seconds / problems,
+  std::printf("%zu,%d,%.6f,%.6f\n",
+              arcs,
+              steps,
+              1e3 * sum.seconds / problems,
               1e3 * sum.collapse_seconds / problems);
   std::fflush(stdout);
 }
@@ -113,7 +117,8 @@ constexpr int kConvergence = 200;
 // How the problem class of figure 5.3 may be read.
 struct Reading {
   const char* name;
-  bool dummies;  // tuples with dummies and priced singletons, or full tuples and a perfect assignment
+  bool dummies;  // tuples with dummies and priced singletons, or full tuples and a perfect
+                 // assignment
   bool shifted;  // figures relative to the shifted optimum
 };
 
@@ -170,9 +175,14 @@ void print_quality(const Reading& reading, int number) {
     const double cost = shift.constant + run.recovered;
     return shift.penalty == 0 || cost < shift.penalty ? normalise(cost) : std::nan("");
   };
-  std::printf("%s,%d,%.4f,%.4f,%.4f,%.4f,%d\n", reading.name, number, recovered(last), recovered(every),
+  std::printf("%s,%d,%.4f,%.4f,%.4f,%.4f,%d\n",
+              reading.name,
+              number,
+              recovered(last),
+              recovered(every),
               normalise(shift.constant + every.dual),
-              greedy.feasible ? normalise(greedy.cost) : std::nan(""), optimum.proven ? 1 : 0);
+              greedy.feasible ? normalise(greedy.cost) : std::nan(""),
+              optimum.proven ? 1 : 0);
   std::fflush(stdout);
 }
 

@@ -86,6 +86,7 @@ LagrangianResult maximize_dual(const Component& component,
   dual::MaximizeOptions limits;
   limits.max_evaluations = options.max_evaluations;
   limits.relative_tolerance = options.relative_tolerance;
+  limits.bundle_size = options.bundle_size;
   limits.target = options.goal;
   // Near the optimum the gap is the right size of a first step; from 0 the method's own guess is
   // better.

@@ -29,6 +29,11 @@ constexpr std::int64_t kEnumerationNodes = 200000;
 constexpr int kFeasibleSweeps = 3;
 // The second round searches so many times longer than the first.
 constexpr int kFinishEffort = 10;
+constexpr int kSharpenRounds = 8;
+constexpr int kSharpenEvaluations = 500;
+constexpr int kSharpenBundle = 100;
+// A round that leaves more than this share of the gap is the last.
+constexpr double kWorthwhile = 0.97;
 
 relax::LagrangianOptions loop_options(const Options& options, const core::Deadline& deadline) {
   relax::LagrangianOptions loop;
@@ -106,6 +111,7 @@ void ComponentSolver::finish(double allowed_gap) {
   }
   if (close_enough(allowed_gap) || deadline_.reached()) return;
   search(kFinishEffort);
+  sharpen(allowed_gap);
   if (!close_enough(allowed_gap)) branch(allowed_gap);
 }
 
@@ -118,11 +124,8 @@ void ComponentSolver::solve_assignment() {
       relax::maximize_dual(component_, {}, loop, [&](const relax::DualFunction& point) {
         return recovery::recover_recursively(component_, point, options_.relaxation, deadline_);
       });
-  ++state_.evaluations;
   offer(result.best, "assignment");
-  state_.u = std::move(result.u);
-  state_.certificate = result.lower;
-  raise_bound(result.lower, "assignment");
+  accept_dual(std::move(result), "assignment");
 }
 
 void ComponentSolver::enumerate() {
@@ -139,9 +142,7 @@ void ComponentSolver::enumerate() {
   loop.max_evaluations = options_.branch.node_evaluations;
   loop.goal = state_.best.cost - precision_.error;
   relax::LagrangianResult dual = relax::maximize_dual(component_, u, loop, {});
-  state_.evaluations += dual.evaluations;
-  state_.u = std::move(dual.u);
-  state_.certificate = dual.lower;
+  accept_dual(std::move(dual), "enumeration");
   raise_bound(state_.best.cost - precision_.error, "enumeration");
 }
 
@@ -157,14 +158,32 @@ void ComponentSolver::relax() {
     offer(packing, "recovery");
     return packing;
   };
-  relax::LagrangianResult result = relax::maximize_dual(component_, {}, loop, recover);
+  accept_dual(relax::maximize_dual(component_, {}, loop, recover), "relaxation");
+}
+
+// The first rounds of the dual method are for all components alike; where a gap is left, a larger
+// bundle goes on from their multipliers as long as a round is worth its time.  Fixing makes every
+// bit count twice.
+void ComponentSolver::sharpen(double allowed_gap) {
+  for (int round = 0; round < kSharpenRounds && !close_enough(allowed_gap); ++round) {
+    const double gap = state_.best.cost - state_.lower;
+    relax::LagrangianOptions loop = loop_options(options_, deadline_);
+    loop.max_evaluations = kSharpenEvaluations;
+    loop.bundle_size = kSharpenBundle;
+    loop.recovery_interval = 0;
+    loop.goal = cutoff();
+    accept_dual(relax::maximize_dual(component_, state_.u, loop, {}), "sharpened bound");
+    if (deadline_.reached() || state_.best.cost - state_.lower > kWorthwhile * gap) return;
+  }
+}
+
+void ComponentSolver::accept_dual(relax::LagrangianResult result, const char* event) {
   state_.evaluations += result.evaluations;
   state_.recoveries += result.recoveries;
-  if (result.lower > state_.certificate) {
-    state_.u = std::move(result.u);
-    state_.certificate = result.lower;
-    raise_bound(result.lower, "relaxation");
-  }
+  if (result.lower <= state_.certificate) return;
+  state_.u = std::move(result.u);
+  state_.certificate = result.lower;
+  raise_bound(result.lower, event);
 }
 
 void ComponentSolver::search(int effort) {
