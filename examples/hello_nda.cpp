@@ -1,4 +1,5 @@
-// Two scans of two aircraft and a third that saw only one of them: which detections belong together?
+// Two scans of two aircraft and a third that saw only one of them: which detections belong
+// together?
 #include <cstdio>
 
 #include "nda/nda.hpp"

@@ -85,7 +85,8 @@ Instance generate_planted(const PlantedOptions& options = {});
 /// `gadgets`: a disjoint union of small random problems with an integrality gap, indices relabelled
 /// at random. Each gadget is solved by enumeration; its gap is certified by a half-integral
 /// solution that costs less than the optimum (so the LP value does too).  Integer costs, free
-/// singletons; the optimum is the sum.
+/// singletons; the optimum is the sum.  Throws InputError where gaps are too rare to be found (many
+/// dimensions of size 1).
 struct GadgetsOptions {
   int dimensions = 4;        ///< at least 3
   int gadgets = 100;         ///< at least 1

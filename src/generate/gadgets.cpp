@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <set>
+#include <string>
 
 #include "generate/parameters.hpp"
 #include "generate/portable.hpp"
@@ -109,7 +110,7 @@ Gadget draw_gadget(Draw& draw, const GadgetsOptions& options) {
     if (gadget.twice_half_integral < 2 * gadget.optimum) return gadget;
   }
   throw InputError("no gadget with a gap in " + std::to_string(kMaxTries) +
-                   " tries: give it more arcs or smaller sizes");
+                   " tries: take fewer dimensions or larger sizes");
 }
 
 void validate(const GadgetsOptions& options) {

@@ -16,8 +16,11 @@ void validate(const TrackingOptions& options) {
   using generate::require;
   generate::require_dimensions(options.scans);
   require(options.targets >= 1, "targets", options.targets, "must be at least 1");
-  require(options.side > 0, "side", options.side, "must be positive");
-  require(options.clutter > 0, "clutter", options.clutter, "must be positive");
+  require(options.side > 0 && options.side <= 1e9, "side", options.side, "must be in (0, 1e9]");
+  require(options.clutter > 0 && options.clutter <= 1e8,
+          "clutter",
+          options.clutter,
+          "must be in (0, 1e8]");
   require(options.detection_probability > 0 && options.detection_probability < 1,
           "detection_probability",
           options.detection_probability,
@@ -106,7 +109,7 @@ TrackingOptions tracking_preset(const std::string& name) {
   if (name == "hard7") return grouped(scenario(7, 30, 1500, 10, 500), 6);
   if (name == "hard8") return grouped(scenario(8, 30, 1500, 10, 1000), 6);
   if (name == "largegroup") return grouped(scenario(5, 2000, 20000, 400, 300), 8);
-  if (name == "six-scan") return grouped(scenario(6, 24, 300, 5, 0), 8);
+  if (name == "six-scan") return grouped(scenario(6, 20, 300, 4, 300), 10);
   throw InputError("no tracking preset is called " + name);
 }
 

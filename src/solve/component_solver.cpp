@@ -9,8 +9,8 @@
 #include "core/random.hpp"
 #include "decompose/components.hpp"
 #include "decompose/reduced_cost_fixing.hpp"
+#include "recovery/core_search.hpp"
 #include "recovery/greedy.hpp"
-#include "recovery/local_search.hpp"
 #include "recovery/recursive.hpp"
 #include "relax/lagrangian.hpp"
 
@@ -27,7 +27,6 @@ using core::Packing;
 
 constexpr std::int64_t kEnumerationNodes = 200000;
 constexpr int kFeasibleSweeps = 3;
-constexpr std::size_t kCoreArcsPerIndex = 20;
 // The second round searches so many times longer than the first.
 constexpr int kFinishEffort = 10;
 
@@ -168,47 +167,20 @@ void ComponentSolver::relax() {
   }
 }
 
-// Searches among the arcs of least reduced cost only: no packing better than the best uses an arc
-// whose reduced cost exceeds the gap, and the few cheapest of the rest are the ones that matter.
 void ComponentSolver::search(int effort) {
   if (state_.complete || !options_.search.local_search || deadline_.reached()) return;
-  const std::vector<ArcId> core_arcs = promising_arcs();
-  core::Cutter cutter;
-  const Component core = cutter.cut(component_, core_arcs);
+  recovery::CoreSearchOptions search;
+  search.kicks_per_index = effort * options_.search.kicks_per_index;
+  search.goal = state_.lower + precision_.error;
   core::Random random(seed_ + static_cast<std::uint64_t>(effort));
-  Packing packing = state_.best;
-  for (ArcId& a : packing.arcs) {
-    a = static_cast<ArcId>(std::lower_bound(core_arcs.begin(), core_arcs.end(), a) -
-                           core_arcs.begin());
-  }
-  const std::int64_t kicks = std::int64_t{effort} * options_.search.kicks_per_index *
-                             static_cast<std::int64_t>(core.num_indices());
-  recovery::LocalSearch(core).improve(
-      packing, kicks, state_.lower + precision_.error, random, deadline_);
-  for (ArcId& a : packing.arcs) a = core_arcs[a];
-  offer(packing, "local search");
-}
-
-// Arcs of reduced cost below the gap, at most kCoreArcsPerIndex per index, and those of the best
-// packing.
-std::vector<ArcId> ComponentSolver::promising_arcs() const {
-  const double gap = state_.best.cost - state_.certificate;
-  std::vector<std::pair<double, ArcId>> ranked;
-  for (ArcId a = 0; a < component_.num_arcs(); ++a) {
-    const double r = core::reduced_cost(component_, state_.u, a);
-    if (r < gap) ranked.push_back({r, a});
-  }
-  const std::size_t limit = kCoreArcsPerIndex * component_.num_indices();
-  if (ranked.size() > limit) {
-    std::nth_element(
-        ranked.begin(), ranked.begin() + static_cast<std::ptrdiff_t>(limit), ranked.end());
-    ranked.resize(limit);
-  }
-  std::vector<ArcId> arcs = state_.best.arcs;
-  for (const auto& entry : ranked) arcs.push_back(entry.second);
-  std::sort(arcs.begin(), arcs.end());
-  arcs.erase(std::unique(arcs.begin(), arcs.end()), arcs.end());
-  return arcs;
+  offer(recovery::search_core(component_,
+                              state_.u,
+                              state_.best.cost - state_.certificate,
+                              state_.best,
+                              search,
+                              random,
+                              deadline_),
+        "local search");
 }
 
 void ComponentSolver::branch(double allowed_gap) {
@@ -224,9 +196,13 @@ void ComponentSolver::branch(double allowed_gap) {
     bnb::NodeBound bound{std::move(dual.u), dual.lower, {}};
     const double inherited = std::accumulate(warm.begin(), warm.end(), 0.0);
     if (inherited > bound.lower) bound = {{warm.begin(), warm.end()}, inherited, {}};
-    bound.packing = recovery::dual_greedy(node, bound.u);
-    core::Random random(seed_ + 3);
-    recovery::LocalSearch(node).improve(bound.packing, 0, bound.lower, random, deadline_);
+    if (bound.lower >= cutoff) return bound;
+    recovery::CoreSearchOptions search;
+    search.kicks_per_index = 0;
+    search.goal = bound.lower;
+    core::Random random(seed_);
+    bound.packing =
+        recovery::search_core(node, bound.u, cutoff - bound.lower, {}, search, random, deadline_);
     return bound;
   };
   collaborators.reduce = reduce;

@@ -64,7 +64,6 @@ class ComponentSolver {
   void enumerate();
   void relax();
   void search(int effort);
-  std::vector<core::ArcId> promising_arcs() const;
   void branch(double allowed_gap);
   bool offer(const core::Packing& packing, const char* event);
   void raise_bound(double lower, const char* event);
