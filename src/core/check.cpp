@@ -248,6 +248,7 @@ double certificate_bound(const Problem& problem,
   const double terms =
       static_cast<double>(problem.num_arcs() * (n + 2) + 3 * problem.num_indices());
   const double error = terms * 0x1p-100 * magnitude;
+  if (error == 0) return 0.0;
   bound.add(-error);
   return std::nextafter(bound.high(), -kInfinity);
 }
