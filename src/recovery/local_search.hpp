@@ -36,11 +36,16 @@ class LocalSearch {
                const core::Deadline& deadline);
 
  private:
-  bool try_force(core::ArcId a);
-  bool hopeless(core::ArcId a) const;
+  bool try_force(core::ArcId a, double allowed_rise);
+  bool hopeless(core::ArcId a, double allowed_rise) const;
   void repair();
   void undo();
   void descend(const core::Deadline& deadline);
+  void anneal(std::int64_t kicks,
+              double goal,
+              core::Random& random,
+              const core::Deadline& deadline);
+  void keep_best();
 
   const core::Component& component_;
   SlotArcs slot_arcs_;
@@ -51,6 +56,7 @@ class LocalSearch {
   std::vector<core::ArcId> inserted_;
   std::vector<core::ArcId> fitting_;
   std::vector<std::uint32_t> freed_;
+  core::Packing best_;
 };
 
 }  // namespace nda::recovery

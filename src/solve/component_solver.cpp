@@ -29,6 +29,8 @@ constexpr std::int64_t kEnumerationNodes = 200000;
 constexpr int kFeasibleSweeps = 3;
 // The second round searches so many times longer than the first.
 constexpr int kFinishEffort = 10;
+constexpr int kWideEffort = 100;
+constexpr double kWideGap = 0.02;
 constexpr int kSharpenRounds = 8;
 constexpr int kSharpenEvaluations = 500;
 constexpr int kSharpenBundle = 100;
@@ -112,6 +114,8 @@ void ComponentSolver::finish(double allowed_gap) {
   if (close_enough(allowed_gap) || deadline_.reached()) return;
   search(kFinishEffort);
   sharpen(allowed_gap);
+  // With a gap that wide the tree is hopeless; better solutions are not.
+  if (state_.best.cost - state_.lower > kWideGap * std::abs(state_.best.cost)) search(kWideEffort);
   if (!close_enough(allowed_gap)) branch(allowed_gap);
 }
 
