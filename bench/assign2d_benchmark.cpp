@@ -81,17 +81,23 @@ double median(double limit_s,
   return times[times.size() / 2];
 }
 
-// Moves a share of the costs by up to step times the range of all, away from where they started.
-void change(const Instance& original, double share, double step, std::mt19937_64& random, Instance& now) {
+// Moves the costs of a share of the rows by up to step times the range of all, from where they started.
+void change(const Instance& original,
+            double share,
+            double step,
+            std::mt19937_64& random,
+            Instance& now) {
   std::uniform_real_distribution<double> uniform(-1, 1);
-  double lowest = nda::kInfinity, highest = -nda::kInfinity;
-  for (const double c : original.cost) {
-    lowest = std::min(lowest, c);
-    highest = std::max(highest, c);
-  }
-  const std::size_t stride = static_cast<std::size_t>(std::lround(1 / share));
-  for (std::size_t k = random() % stride; k < now.cost.size(); k += 1 + random() % (2 * stride - 1)) {
-    now.cost[k] = original.cost[k] + step * (highest - lowest) * uniform(random);
+  const auto [lowest, highest] = std::minmax_element(original.cost.begin(), original.cost.end());
+  const double most = original.cost.empty() ? 0 : step * (*highest - *lowest);
+  const std::size_t num_rows = original.row_outside.size();
+  const std::size_t num_moved = static_cast<std::size_t>(std::ceil(share * num_rows));
+  const std::size_t first = random() % std::max<std::size_t>(1, num_rows);
+  for (std::size_t n = 0; n < num_moved; ++n) {
+    const std::size_t i = (first + n * (num_rows / num_moved)) % num_rows;
+    for (std::size_t k = now.row_start[i]; k < now.row_start[i + 1]; ++k) {
+      now.cost[k] = original.cost[k] + most * uniform(random);
+    }
   }
 }
 
