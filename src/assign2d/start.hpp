@@ -46,22 +46,17 @@ void cold_prices(const View& view,
   const std::span<double> potential = result.u;
   for (double& price : v) price = std::min(price, in_proportion);
   for (std::uint32_t i = 0; i < row_outside.size(); ++i) {
-    potential[i] = row_outside[i];
-    if (row_outside[i] <= in_proportion) continue;
-    view.for_each_pair(
-        i, [&](std::uint32_t j, double c) { potential[i] = std::min(potential[i], c - v[j]); });
+    const bool is_proportionate = row_outside[i] <= in_proportion;
+    potential[i] =
+        is_proportionate ? row_outside[i] : std::min(row_outside[i], view.least_offer(i, v));
   }
-  for (std::uint32_t j = 0; j < v.size(); ++j) {
-    if (column_outside[j] > in_proportion) v[j] = column_outside[j];
-  }
+  std::copy(column_outside.begin(), column_outside.end(), v.begin());
   for (std::uint32_t i = 0; i < row_outside.size(); ++i) {
-    if (potential[i] == kInfinity) continue;
-    view.for_each_pair(i, [&](std::uint32_t j, double c) {
-      if (column_outside[j] > in_proportion) v[j] = std::min(v[j], c - potential[i]);
-    });
+    if (potential[i] < kInfinity) view.lower_bounds(i, potential[i], v);
   }
-  for (double& price : v) {
-    if (price == kInfinity) price = 0;
+  for (std::size_t j = 0; j < v.size(); ++j) {
+    if (column_outside[j] <= in_proportion) v[j] = column_outside[j];
+    if (v[j] == kInfinity) v[j] = 0;
   }
 }
 
