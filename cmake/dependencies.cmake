@@ -7,14 +7,10 @@ find_package(ZLIB REQUIRED)
 find_package(nlohmann_json CONFIG REQUIRED)
 find_package(fmt CONFIG REQUIRED)
 find_package(Threads REQUIRED)
+include(${CMAKE_CURRENT_LIST_DIR}/lemon.cmake)
 
-find_package(lemon CONFIG REQUIRED)
-add_library(nda_lemon INTERFACE)
-target_include_directories(nda_lemon SYSTEM INTERFACE ${LEMON_INCLUDE_DIRS})
-target_link_libraries(nda_lemon INTERFACE ${LEMON_LIBRARIES})
-
+# Headers only: a consumer of the installed library never needs the first three.
 set(NDA_DEPENDENCIES
   $<BUILD_INTERFACE:Boost::headers> $<BUILD_INTERFACE:Eigen3::Eigen>
-  $<BUILD_INTERFACE:NLopt::nlopt> $<BUILD_INTERFACE:TBB::tbb> $<BUILD_INTERFACE:ZLIB::ZLIB>
-  $<BUILD_INTERFACE:nlohmann_json::nlohmann_json> $<BUILD_INTERFACE:fmt::fmt>
-  $<BUILD_INTERFACE:nda_lemon> $<BUILD_INTERFACE:Threads::Threads>)
+  $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>
+  NLopt::nlopt TBB::tbb ZLIB::ZLIB fmt::fmt nda::lemon Threads::Threads)

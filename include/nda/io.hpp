@@ -4,6 +4,7 @@
 #include <iosfwd>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "nda/problem.hpp"
 #include "nda/solution.hpp"
@@ -50,6 +51,10 @@ struct ReadOptions {
 /// How to write a problem.
 struct WriteOptions {
   FileFormat format = FileFormat::kAuto;
+
+  /// Written first, one `c` line each, so without line breaks; kNda only, the others leave them
+  /// out.
+  std::vector<std::string> comments = {};
 };
 
 /// Reads a problem from a file, or from standard input when `path` is "-".  Gzip compression is

@@ -50,6 +50,10 @@ struct RowView {
 
   double cost(std::uint32_t k) const { return costs[k]; }
   std::uint32_t pair(std::uint32_t k) const { return k; }
+  template <class Action>
+  void for_each_pair(std::uint32_t i, const Action& action) const {
+    for (std::uint32_t k = start[i]; k < start[i + 1]; ++k) action(partner[k], costs[k]);
+  }
   static std::uint32_t row(std::uint32_t own, std::uint32_t /*other*/) { return own; }
 };
 
@@ -63,6 +67,19 @@ struct ColumnView {
   double cost(std::uint32_t k) const { return costs[entry[k]]; }
   std::uint32_t pair(std::uint32_t k) const { return entry[k]; }
   static std::uint32_t row(std::uint32_t /*own*/, std::uint32_t other) { return other; }
+};
+
+/// A full matrix, one line of `width` costs for each member of the side that looks.
+struct DenseView {
+  const double* costs;
+  std::size_t width;
+
+  const double* line(std::uint32_t i) const { return costs + i * width; }
+  template <class Action>
+  void for_each_pair(std::uint32_t i, const Action& action) const {
+    const double* cost = line(i);
+    for (std::uint32_t j = 0; j < width; ++j) action(j, cost[j]);
+  }
 };
 
 /// One phase of an algorithm on a sparse problem: `own` looks for partners among `other`.

@@ -14,10 +14,11 @@ class SparseSolver final : public Assign2dSolver {
  private:
   void do_solve(const Assign2dProblem& problem, Assign2dResult& result, bool warm) override;
   void match_tight_pairs(const Assign2dProblem& problem, Assign2dResult& result);
+  bool serve(const Assign2dProblem& problem, Assign2dResult& result);
 
   SparsePaths paths_;
   Transpose transpose_;
-  std::vector<std::uint32_t> pair_of_row_;
+  std::vector<std::uint32_t> pair_of_row_;  // also guesses where the former mates are
 };
 
 }  // namespace nda::lap

@@ -1,5 +1,4 @@
-#include <array>
-#include <limits>
+#include <algorithm>
 #include <queue>
 
 #include "baselines/ranked_arcs.hpp"
@@ -15,8 +14,6 @@ namespace {
 
 using baselines::RankedArcs;
 using baselines::Value;
-
-constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
 struct Regret {
   Value loss;  // of the best choice against the second: more negative is a larger regret

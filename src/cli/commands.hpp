@@ -10,6 +10,7 @@ Action declare_solve(CLI::App& parser);
 Action declare_check(CLI::App& parser);
 Action declare_info(CLI::App& parser);
 Action declare_convert(CLI::App& parser);
+Action declare_generate(CLI::App& parser);
 Action declare_compare(CLI::App& parser);
 
 }  // namespace nda::cli

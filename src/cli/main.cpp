@@ -6,6 +6,8 @@
 #include <iostream>
 #include <new>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "cli/command.hpp"
@@ -44,16 +46,29 @@ int run(const Action& action) {
   }
 }
 
+// Where to look up the usage of what was asked for.
+std::string advice(const CLI::App& parser) {
+  for (const CLI::App* subcommand : parser.get_subcommands()) {
+    return " (nda " + subcommand->get_name() + " --help shows the usage)";
+  }
+  return " (nda --help lists the commands)";
+}
+
 // --help and --version end here too; usage errors are one line.
 int finish_parsing(const CLI::App& parser, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return flush_results(parser.exit(error, std::cout, std::cerr));
-  return fail(std::string(error.what()) + " (nda --help lists the commands)");
+  return fail(error.what() + advice(parser));
+}
+
+bool is_command(std::string_view name) {
+  return std::any_of(commands().begin(), commands().end(), [&](const Command& command) {
+    return name == command.name;
+  });
 }
 
 int main_program(int argc, char** argv) {
   CLI::App parser("N-dimensional assignment with a bound anyone can check.", "nda");
   parser.set_version_flag("--version", std::string("nda ") + kVersion);
-  parser.require_subcommand(1);
   parser.footer(
       "Exit codes: 0 answer, 1 no answer or check failed, 2 bad input, 3 stopped by a limit.\n"
       "\n"
@@ -64,10 +79,7 @@ int main_program(int argc, char** argv) {
     CLI::App* subcommand = parser.add_subcommand(command.name, command.summary);
     actions.emplace_back(subcommand, command.declare(*subcommand));
   }
-  const auto names = [&](const Command& command) {
-    return argc > 1 && argv[1] == std::string(command.name);
-  };
-  if (argc > 1 && argv[1][0] != '-' && std::none_of(commands().begin(), commands().end(), names)) {
+  if (argc > 1 && argv[1][0] != '-' && !is_command(argv[1])) {
     return fail("unknown command '" + std::string(argv[1]) + "' (nda --help lists the commands)");
   }
   try {
@@ -78,7 +90,7 @@ int main_program(int argc, char** argv) {
   for (const auto& [subcommand, action] : actions) {
     if (subcommand->parsed()) return run(action);
   }
-  return fail("no command given");
+  return fail("no command given (nda --help lists the commands)");
 }
 
 }  // namespace

@@ -33,7 +33,8 @@ double Solution::gap() const {
 }
 
 double Solution::relative_gap() const {
-  return gap() / std::max(1e-9, std::abs(cost));
+  const double absolute = gap();
+  return std::isinf(absolute) ? absolute : absolute / std::max(1e-9, std::abs(cost));
 }
 
 }  // namespace nda

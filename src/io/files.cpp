@@ -55,11 +55,22 @@ Problem read_from(std::unique_ptr<io::Source> source, const ReadOptions& options
   throw InputError(std::string("format ") + to_string(options.format) + " can only be written");
 }
 
-void write_to(io::Sink& sink, const Problem& problem, FileFormat format) {
+void write_comments(const std::vector<std::string>& comments, io::TextWriter& out) {
+  for (const std::string& comment : comments) {
+    if (comment.find('\n') != std::string::npos) throw InputError("comment with a line break");
+    out << "c " << comment << '\n';
+  }
+}
+
+void write_to(io::Sink& sink,
+              const Problem& problem,
+              FileFormat format,
+              const std::vector<std::string>& comments) {
   io::TextWriter out(sink);
   switch (format) {
     case FileFormat::kAuto:
     case FileFormat::kNda:
+      write_comments(comments, out);
       return io::write_nda(problem, out);
     case FileFormat::kCsv:
       return io::write_csv(problem, out);
@@ -152,14 +163,14 @@ void write_problem(const Problem& problem, const std::string& path, const WriteO
   const FileFormat format = options.format == FileFormat::kAuto ? format_of(path) : options.format;
   with_name(output_name(path), [&] {
     const auto sink = open_sink(path);
-    write_to(*sink, problem, format);
+    write_to(*sink, problem, format, options.comments);
     sink->commit();
   });
 }
 
 void write_problem(const Problem& problem, std::ostream& output, const WriteOptions& options) {
   const auto sink = io::stream_sink(output);
-  write_to(*sink, problem, options.format);
+  write_to(*sink, problem, options.format, options.comments);
   sink->commit();
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <string>
@@ -145,14 +146,17 @@ Solution solution(const JsonNode& root) {
   return result;
 }
 
-// The message of nlohmann-json without its error number, and with anything unprintable escaped.
+// The message of nlohmann-json without its error number; it quotes from the input, so it is cut and
+// anything unprintable is masked.
 std::string syntax_message(const nlohmann::json::exception& error) {
+  constexpr std::size_t kLongest = 200;
   std::string message = error.what();
   const std::size_t start = message.find("] ");
   if (start != std::string::npos) message.erase(0, start + 2);
-  std::string result = "invalid JSON: ";
-  for (const char c : message) result += c >= ' ' && c <= '~' ? c : '?';
-  return result;
+  if (message.size() > kLongest) message.replace(kLongest, std::string::npos, "...");
+  std::replace_if(
+      message.begin(), message.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return "invalid JSON: " + message;
 }
 
 }  // namespace

@@ -1,23 +1,28 @@
 #include "recovery/local_search.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <numeric>
 
 // The report (4.6) leaves local search to Robertson's thesis.  This is the simplest that works on
-// sparse arcs: a table of owners makes the gain of forcing an arc in an O(N) question, no conflict
-// graph is stored. Equal cost is accepted, which lets the search drift along plateaus; ties abound
-// in tracking costs.
+// sparse arcs: a table of owners makes forcing an arc in an O(N) question, no conflict graph is
+// stored. Equal cost is accepted, which lets the search drift along plateaus; ties abound in
+// tracking costs. The test for hopeless moves looks at the forced arc only: a repair that covers
+// further uncovered indices could gain more, but those pay little in a packing near the bound, and
+// the test spares nine moves of ten.
 
 namespace nda::recovery {
 
 using core::ArcId;
 
-LocalSearch::LocalSearch(const core::Component& component)
+LocalSearch::LocalSearch(const core::Component& component, std::span<const double> u)
     : component_(component),
       slot_arcs_(component),
       state_(component),
-      candidates_(component.num_arcs()) {
-  std::iota(candidates_.begin(), candidates_.end(), 0u);
+      reduced_(component.num_arcs()) {
+  for (ArcId a = 0; a < reduced_.size(); ++a) {
+    reduced_[a] = std::max(0.0, core::reduced_cost(component, u, a));
+  }
+  for (const double multiplier : u) price_.push_back(-multiplier);
 }
 
 void LocalSearch::improve(core::Packing& packing,
@@ -27,9 +32,9 @@ void LocalSearch::improve(core::Packing& packing,
                           const core::Deadline& deadline) {
   state_.assign(packing);
   descend(deadline);
-  for (std::int64_t kick = 0; kick < kicks && !candidates_.empty(); ++kick) {
+  for (std::int64_t kick = 0; kick < kicks; ++kick) {
     if (state_.cost() <= goal || (kick % 64 == 0 && deadline.reached())) break;
-    try_force(candidates_[random.below(candidates_.size())]);
+    try_force(static_cast<ArcId>(random.below(component_.num_arcs())));
   }
   core::Packing result = state_.packing();
   if (result.cost < packing.cost) packing = std::move(result);
@@ -38,11 +43,10 @@ void LocalSearch::improve(core::Packing& packing,
 void LocalSearch::descend(const core::Deadline& deadline) {
   for (bool improved = true; improved;) {
     improved = false;
-    for (std::size_t c = 0; c < candidates_.size(); ++c) {
-      if (c % 256 == 0 && deadline.reached()) return;
+    for (ArcId a = 0; a < component_.num_arcs(); ++a) {
+      if (a % 256 == 0 && deadline.reached()) return;
       const double before = state_.cost();
-      if (try_force(candidates_[c]) && state_.cost() < before - 1e-12 * std::abs(before))
-        improved = true;
+      if (try_force(a) && state_.cost() < before - 1e-12 * std::abs(before)) improved = true;
     }
   }
 }
@@ -51,6 +55,7 @@ bool LocalSearch::try_force(ArcId a) {
   if (state_.contains(a)) return false;
   const double before = state_.cost();
   state_.conflicts(a, removed_);
+  if (hopeless(a)) return false;
   inserted_.clear();
   freed_.clear();
   for (const ArcId b : removed_) {
@@ -65,23 +70,33 @@ bool LocalSearch::try_force(ArcId a) {
   return false;
 }
 
-// Fills the freed slots, always with the cheapest arc that fits on any of them.
+bool LocalSearch::hopeless(ArcId a) const {
+  double gain = 0;
+  for (const ArcId b : removed_) gain += reduced_[b];
+  core::for_each_slot(component_, a, [&](std::uint32_t slot) {
+    if (state_.owner(slot) == kNoArc) gain += price_[slot];
+  });
+  return reduced_[a] > gain * (1 + 1e-9);
+}
+
+// Fills the freed slots with arcs that fit, the cheapest first.
 void LocalSearch::repair() {
-  while (true) {
-    ArcId best = kNoArc;
-    for (const std::uint32_t slot : freed_) {
-      if (state_.owner(slot) != kNoArc) continue;
-      for (const ArcId b : slot_arcs_[slot]) {
-        if (component_.costs[b] >= 0) break;
-        if (best != kNoArc && component_.costs[b] >= component_.costs[best]) break;
-        if (!state_.fits(b)) continue;
-        best = b;
-        break;
-      }
+  fitting_.clear();
+  for (const std::uint32_t slot : freed_) {
+    if (state_.owner(slot) != kNoArc) continue;
+    for (const ArcId b : slot_arcs_[slot]) {
+      if (component_.costs[b] >= 0) break;
+      if (state_.fits(b)) fitting_.push_back(b);
     }
-    if (best == kNoArc) return;
-    state_.insert(best);
-    inserted_.push_back(best);
+  }
+  std::sort(fitting_.begin(), fitting_.end(), [&](ArcId a, ArcId b) {
+    return component_.costs[a] != component_.costs[b] ? component_.costs[a] < component_.costs[b]
+                                                      : a < b;
+  });
+  for (const ArcId b : fitting_) {
+    if (!state_.fits(b)) continue;
+    state_.insert(b);
+    inserted_.push_back(b);
   }
 }
 

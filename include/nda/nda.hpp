@@ -1,0 +1,15 @@
+#pragma once
+
+/// The whole public face of the library.
+
+#include "nda/assign2d.hpp"
+#include "nda/baselines.hpp"
+#include "nda/check.hpp"
+#include "nda/generate.hpp"
+#include "nda/io.hpp"
+#include "nda/options.hpp"
+#include "nda/problem.hpp"
+#include "nda/solution.hpp"
+#include "nda/solve.hpp"
+#include "nda/types.hpp"
+#include "nda/version.hpp"

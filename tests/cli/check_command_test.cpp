@@ -1,0 +1,69 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cli/program.hpp"
+
+namespace nda::cli {
+namespace {
+
+using io::TemporaryFolder;
+using io::write_file;
+using ::testing::HasSubstr;
+
+// Two arcs that exclude each other: the optimum takes the cheaper one, and the multipliers
+// u[1][1] = -3, all others 0, prove it: -3 + min(0, -3 + 3) + min(0, -2 + 3) + singletons 0.
+constexpr const char* kProblem = "p nda 2 1 2 2\na 1 1 -3\na 1 2 -2\n";
+
+Solution right_solution() {
+  Solution solution;
+  solution.sizes = {1, 2};
+  solution.num_arcs = 2;
+  solution.num_components = 1;
+  solution.status = Status::kOptimal;
+  solution.proven = true;
+  solution.cost = -3;
+  solution.lower_bound = -3;
+  solution.solutions = {{1, -3, true, {{1, 1}}}};
+  solution.multipliers = {{-3}, {0, 0}};
+  solution.stats.certificate_bound = -3;
+  return solution;
+}
+
+TEST(CheckCommand, PassesARightSolution) {
+  const TemporaryFolder folder;
+  write_file(folder / "a.nda", kProblem);
+  write_solution(right_solution(), folder / "a.json");
+  const Outcome outcome = run(folder, "nda check a.nda a.json");
+  EXPECT_EQ(outcome.code, 0) << outcome.output;
+  EXPECT_THAT(outcome.output, HasSubstr("passed\n"));
+}
+
+TEST(CheckCommand, FailsAWrongCostAndAnExaggeratedBound) {
+  const TemporaryFolder folder;
+  write_file(folder / "a.nda", kProblem);
+  Solution wrong_cost = right_solution();
+  wrong_cost.cost = wrong_cost.solutions[0].cost = -4;
+  Solution wrong_bound = right_solution();
+  wrong_bound.multipliers = {{-2}, {-5, 0}};
+  Solution wrong_arc = right_solution();
+  wrong_arc.solutions[0].arcs = {{1, 1}, {1, 2}};
+  for (const Solution& wrong : {wrong_cost, wrong_bound, wrong_arc}) {
+    write_solution(wrong, folder / "a.json");
+    const Outcome outcome = run(folder, "nda check a.nda a.json");
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_THAT(outcome.output, HasSubstr("fault: "));
+    EXPECT_THAT(outcome.output, HasSubstr("FAILED\n"));
+  }
+}
+
+TEST(CheckCommand, NamesTheFileItCannotRead) {
+  const TemporaryFolder folder;
+  write_file(folder / "a.nda", kProblem);
+  write_file(folder / "a.json", "{");
+  const Outcome outcome = run(folder, "nda check a.nda a.json");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.log, HasSubstr("nda: a.json: invalid JSON: parse error at line 1, column 2"));
+}
+
+}  // namespace
+}  // namespace nda::cli

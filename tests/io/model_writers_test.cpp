@@ -1,0 +1,141 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
+#include <regex>
+
+#include "io/io_support.hpp"
+#include "nda/io.hpp"
+#include "support/brute_force.hpp"
+#include "support/random_problems.hpp"
+
+namespace nda::io {
+namespace {
+
+// Index 2 of dimension 1 has only its singleton, index 2 of dimension 2 nothing at all.
+Problem small_problem() {
+  ProblemBuilder builder({2, 2});
+  builder.add_arc({1, 1}, -2.5);
+  builder.add_arc({0, 1}, 1e-7);
+  builder.add_arc({1, 0}, kInfinity);
+  builder.add_arc({0, 2}, kInfinity);
+  return std::move(builder).build();
+}
+
+TEST(LpWriter, WritesOneColumnPerArcAndSingletonAndOneRowPerIndex) {
+  EXPECT_EQ(text_of(small_problem(), FileFormat::kLp),
+            "minimize\n obj:\n - 2.5 x_1_1\n + 0 x_2_0\n + 1e-07 x_0_1\n + 0 never\n"
+            "subject to\n"
+            " c_1_1:\n + x_1_1 = 1\n"
+            " c_1_2:\n + x_2_0 = 1\n"
+            " c_2_1:\n + x_1_1\n + x_0_1 = 1\n"
+            " c_2_2: never = 1\n"
+            "bounds\n never = 0\nbinaries\n x_1_1\n x_2_0\n x_0_1\nend\n");
+}
+
+TEST(MpsWriter, WritesTheSameModel) {
+  EXPECT_EQ(text_of(small_problem(), FileFormat::kMps),
+            "NAME nda\nROWS\n N cost\n E c_1_1\n E c_1_2\n E c_2_1\n E c_2_2\n"
+            "COLUMNS\n M1 'MARKER' 'INTORG'\n"
+            " x_1_1 cost -2.5\n x_1_1 c_1_1 1\n x_1_1 c_2_1 1\n"
+            " x_2_0 cost 0 c_1_2 1\n x_0_1 cost 1e-07 c_2_1 1\n"
+            " M2 'MARKER' 'INTEND'\n"
+            "RHS\n rhs c_1_1 1\n rhs c_1_2 1\n rhs c_2_1 1\n rhs c_2_2 1\n"
+            "BOUNDS\n BV bnd x_1_1\n BV bnd x_2_0\n BV bnd x_0_1\nENDATA\n");
+}
+
+TEST(LpWriter, NumbersTheColumnsWhereTuplesAreTooLongForNames) {
+  ProblemBuilder builder(std::vector<Index>(64, 1));
+  builder.add_arc(std::vector<Index>(64, 1), 3);
+  const std::string text = text_of(std::move(builder).build(), FileFormat::kLp);
+  EXPECT_THAT(text, ::testing::HasSubstr(" + 3 x1\n + 0 x2\n"));
+  EXPECT_THAT(text, ::testing::HasSubstr(" c_64_1:\n + x1\n + x65 = 1\n"));
+}
+
+// What a program prints, both streams.
+std::string output_of(const std::string& command) {
+  std::FILE* pipe = ::popen((command + " 2>&1").c_str(), "r");
+  std::string text;
+  char block[4096];
+  for (std::size_t count = 0; (count = std::fread(block, 1, sizeof block, pipe)) > 0;) {
+    text.append(block, count);
+  }
+  ::pclose(pipe);
+  return text;
+}
+
+bool is_installed(const std::string& program) {
+  return std::system(("command -v " + program + " > /dev/null").c_str()) == 0;
+}
+
+// The optimum another program prints, nothing if infeasible; fails the test if it says neither.
+std::optional<double> optimum_in(const std::string& output,
+                                 const std::regex& optimum,
+                                 const std::regex& infeasible) {
+  std::smatch match;
+  if (std::regex_search(output, match, optimum)) return std::stod(match[1]);
+  EXPECT_TRUE(std::regex_search(output, infeasible)) << output;
+  return std::nullopt;
+}
+
+std::optional<double> solved_by_cbc(const std::string& path) {
+  static const std::regex kOptimum("Objective value: +([-+.0-9e]+)");
+  static const std::regex kInfeasible("infeasible");
+  return optimum_in(output_of("cbc " + path + " ratio 0 allow 0 solve"), kOptimum, kInfeasible);
+}
+
+std::optional<double> solved_by_glpsol(const std::string& path) {
+  const bool is_lp = path.ends_with(".lp");
+  const std::string report = path + ".txt";
+  output_of("glpsol " + std::string(is_lp ? "--lp " : "--freemps ") + path + " -o " + report);
+  const std::string text = contents(report);
+  static const std::regex kStatus("Status: +INTEGER OPTIMAL");
+  static const std::regex kValue("Objective: +[a-z]+ = ([-+.0-9e]+)");
+  if (!std::regex_search(text, kStatus)) return std::nullopt;
+  std::smatch match;
+  EXPECT_TRUE(std::regex_search(text, match, kValue)) << text;
+  return std::stod(match[1]);
+}
+
+// Small random problems with every kind of singleton; some are infeasible.
+void expect_same_optima(const char* program,
+                        const std::function<std::optional<double>(const std::string&)>& solve) {
+  if (!is_installed(program)) GTEST_SKIP() << program << " is not installed";
+  const TemporaryFolder folder;
+  int num_infeasible = 0;
+  for (std::uint64_t seed = 1; seed <= 25; ++seed) {
+    support::RandomProblemOptions options;
+    options.sizes = {3, 2, 3};
+    options.singletons =
+        seed % 2 == 0 ? support::SingletonKind::kMixed : support::SingletonKind::kForbidden;
+    options.sign = support::SignKind::kMixed;
+    options.plant = seed % 4 == 1;
+    const Problem problem = support::random_problem(seed, options);
+    const auto expected = support::brute_force(problem);
+    num_infeasible += expected ? 0 : 1;
+    for (const char* name : {"a.lp", "a.mps"}) {
+      SCOPED_TRACE(::testing::Message() << name << ", seed " << seed);
+      write_problem(problem, folder / name);
+      const std::optional<double> actual = solve(folder / name);
+      ASSERT_EQ(actual.has_value(), expected.has_value());
+      if (actual) {
+        ASSERT_NEAR(*actual, expected->cost, 1e-5);
+      }
+    }
+  }
+  EXPECT_GT(num_infeasible, 0);
+  EXPECT_LT(num_infeasible, 20);
+}
+
+TEST(ModelWriters, GiveCbcTheSameOptimumAsEnumeration) {
+  expect_same_optima("cbc", solved_by_cbc);
+}
+
+TEST(ModelWriters, GiveGlpsolTheSameOptimumAsEnumeration) {
+  expect_same_optima("glpsol", solved_by_glpsol);
+}
+
+}  // namespace
+}  // namespace nda::io
