@@ -55,7 +55,7 @@ class Highs : public ExternalSolver {
       }
     }
     const auto bound = words_after_last(read_lines(folder + "/" + kLogFile), "Dual bound");
-    if (!bound.empty()) raw.bound = lowered_number_in(bound.front()).value_or(-kInfinity);
+    if (!bound.empty()) raw.bound = number_in(bound.front()).value_or(-kInfinity);
     return raw;
   }
 

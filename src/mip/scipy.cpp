@@ -27,7 +27,12 @@ namespace {
 constexpr const char* kMatrixFile = "model.bin";
 constexpr double kProbeLimit_s = 60;
 
-constexpr const char* kProbe = "from scipy.optimize import milp";
+// Asking for the version spares the second that importing SciPy takes.
+constexpr const char* kProbe = R"(
+import importlib.metadata
+version = importlib.metadata.version('scipy').split('.')
+assert (int(version[0]), int(version[1])) >= (1, 9)
+)";
 
 constexpr const char* kProgram = R"(
 import os, sys, warnings
