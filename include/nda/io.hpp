@@ -52,7 +52,8 @@ struct ReadOptions {
 struct WriteOptions {
   FileFormat format = FileFormat::kAuto;
 
-  /// Written first, one `c` line each, so without line breaks; kNda only, the others leave them out.
+  /// Written first, one `c` line each, so without line breaks; kNda only, the others leave them
+  /// out.
   std::vector<std::string> comments = {};
 };
 
