@@ -5,7 +5,7 @@
 
 #include "assign2d/auction.hpp"
 #include "assign2d/network_simplex.hpp"
-#include "assign2d/sparse_solver.hpp"
+#include "assign2d/shortest_path.hpp"
 
 namespace nda {
 namespace {
@@ -91,7 +91,7 @@ void validate(const Assign2dProblem& problem) {
 std::unique_ptr<Assign2dSolver> make_assign2d_solver(Assign2dMethod method) {
   switch (method) {
     case Assign2dMethod::kShortestPath:
-      return std::make_unique<lap::SparseSolver>();
+      return std::make_unique<lap::ShortestPathSolver>();
     case Assign2dMethod::kAuction:
       return std::make_unique<lap::AuctionSolver>();
     case Assign2dMethod::kNetworkSimplex:

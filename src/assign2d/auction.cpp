@@ -94,7 +94,9 @@ bool AuctionSolver::run_round(const Assign2dProblem& problem,
 }
 
 void AuctionSolver::do_solve(const Assign2dProblem& problem, Assign2dResult& result, bool warm) {
-  const bool is_warm = start(problem, result, warm);
+  const RowView by_rows{problem.row_start, problem.column, problem.cost};
+  const bool is_warm =
+      start(by_rows, problem.cost, problem.row_outside, problem.column_outside, result, warm);
   pair_of_row_.resize(problem.num_rows());
   const double scale = largest_finite(problem.cost);
   span_ = 2 * scale;

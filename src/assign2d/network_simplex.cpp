@@ -124,7 +124,8 @@ void read_flow(const Assign2dProblem& problem,
 void NetworkSimplexSolver::do_solve(const Assign2dProblem& problem,
                                     Assign2dResult& result,
                                     bool /*warm*/) {
-  start(problem, result, false);
+  reset(problem.num_rows(), problem.num_columns(), result);
+  std::fill(result.column_of_row.begin(), result.column_of_row.end(), kUnassigned);
   Network network(problem);
   Simplex simplex(network.graph);
   simplex.supplyMap(network.supply).costMap(network.cost);
@@ -135,7 +136,9 @@ void NetworkSimplexSolver::do_solve(const Assign2dProblem& problem,
   std::vector<std::uint32_t> pair_of_row(problem.num_rows());
   read_flow(problem, network, simplex, pair_of_row, result);
   if (network.grid.exact()) {
-    finish(problem, true, result, [&](std::uint32_t i) { return problem.cost[pair_of_row[i]]; });
+    finish(problem.row_outside, problem.column_outside, true, result, [&](std::uint32_t i) {
+      return problem.cost[pair_of_row[i]];
+    });
   } else {
     finisher_.solve_warm(problem, result);
   }

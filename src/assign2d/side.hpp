@@ -4,6 +4,7 @@
 #include <limits>
 #include <span>
 
+#include "assign2d/dense_kernels.hpp"
 #include "nda/assign2d.hpp"
 
 // Namespace lap (linear assignment problem): a namespace assign2d would clash with the function.
@@ -50,6 +51,22 @@ struct RowView {
 
   double cost(std::uint32_t k) const { return costs[k]; }
   std::uint32_t pair(std::uint32_t k) const { return k; }
+  /// The least c_ij - price_j of member i; +inf if it has no pairs.
+  double least_offer(std::uint32_t i, std::span<const double> price) const {
+    double least = kInfinity;
+    for (std::uint32_t k = start[i]; k < start[i + 1]; ++k) {
+      const double offer = costs[k] - price[partner[k]];
+      least = offer < least ? offer : least;
+    }
+    return least;
+  }
+  /// bound_j = min(bound_j, c_ij - potential) over the pairs of member i.
+  void lower_bounds(std::uint32_t i, double potential, std::span<double> bound) const {
+    for (std::uint32_t k = start[i]; k < start[i + 1]; ++k) {
+      const double offer = costs[k] - potential;
+      if (offer < bound[partner[k]]) bound[partner[k]] = offer;
+    }
+  }
   static std::uint32_t row(std::uint32_t own, std::uint32_t /*other*/) { return own; }
 };
 
@@ -63,6 +80,20 @@ struct ColumnView {
   double cost(std::uint32_t k) const { return costs[entry[k]]; }
   std::uint32_t pair(std::uint32_t k) const { return entry[k]; }
   static std::uint32_t row(std::uint32_t /*own*/, std::uint32_t other) { return other; }
+};
+
+/// A full matrix, one line of `width` costs for each member of the side that looks.
+struct DenseView {
+  const double* costs;
+  std::size_t width;
+
+  const double* line(std::uint32_t i) const { return costs + i * width; }
+  double least_offer(std::uint32_t i, std::span<const double> price) const {
+    return line_least(line(i), price.data(), static_cast<std::uint32_t>(width));
+  }
+  void lower_bounds(std::uint32_t i, double potential, std::span<double> bound) const {
+    lower_line(line(i), potential, static_cast<std::uint32_t>(width), bound.data());
+  }
 };
 
 /// One phase of an algorithm on a sparse problem: `own` looks for partners among `other`.

@@ -39,7 +39,7 @@ struct BidOutcome {
 
 // One bid of the free member i.  Returns i itself where the market gives no answer.
 template <class View>
-BidOutcome bid(const Phase<View>& phase, std::uint32_t i) {
+BidOutcome bid_once(const Phase<View>& phase, std::uint32_t i) {
   const Offers best = best_offers(phase, i);
   if (best.first == kInfinity) return {i, false};
   phase.own.dual[i] = best.first;
@@ -71,21 +71,42 @@ void SparsePaths::resize(std::size_t n) {
   distance_.resize(n, kInfinity);
   from_.resize(n);
   from_pair_.resize(n);
-  for (std::vector<std::uint32_t>* list : {&waiting_, &unserved_, &reached_, &settled_}) {
+  for (std::vector<std::uint32_t>* list : {&waiting_, &ready_, &reached_, &settled_}) {
     list->reserve(n);
   }
 }
 
 template <class View>
-bool SparsePaths::serve(const Phase<View>& phase, std::vector<std::uint32_t>& hall) {
+void SparsePaths::list_wanting(const Phase<View>& phase) {
   waiting_.clear();
   for (std::uint32_t i = 0; i < phase.own.size(); ++i) {
     if (phase.own.in_want(i)) waiting_.push_back(i);
   }
-  bid_all(phase);
-  for (const std::uint32_t source : unserved_) {
-    if (!phase.own.in_want(source)) continue;
-    const End end = search(phase, source);
+}
+
+template <class View>
+bool SparsePaths::bid(const Phase<View>& phase) {
+  list_wanting(phase);
+  bool all_served = true;
+  std::size_t budget = kBidsPerMember * waiting_.size();
+  for (std::uint32_t i : waiting_) {
+    bool gain = true;
+    while (i != kNone && gain && budget > 0) {
+      --budget;
+      const BidOutcome outcome = bid_once(phase, i);
+      i = outcome.displaced;
+      gain = outcome.gain;
+    }
+    all_served = all_served && i == kNone;
+  }
+  return all_served;
+}
+
+template <class View>
+bool SparsePaths::search(const Phase<View>& phase, std::vector<std::uint32_t>& hall) {
+  list_wanting(phase);
+  for (const std::uint32_t source : waiting_) {
+    const End end = find_path(phase, source);
     if (end.distance == kInfinity) {
       hall.push_back(source);
       for (const std::uint32_t j : settled_) hall.push_back(phase.other.mate[j]);
@@ -99,33 +120,22 @@ bool SparsePaths::serve(const Phase<View>& phase, std::vector<std::uint32_t>& ha
 }
 
 template <class View>
-void SparsePaths::bid_all(const Phase<View>& phase) {
-  unserved_.clear();
-  std::size_t budget = kBidsPerMember * waiting_.size();
-  for (const std::uint32_t first : waiting_) {
-    std::uint32_t i = first;
-    bool gain = true;
-    while (i != kNone && gain && budget > 0) {
-      --budget;
-      const BidOutcome outcome = bid(phase, i);
-      i = outcome.displaced;
-      gain = outcome.gain;
-    }
-    if (i != kNone) unserved_.push_back(i);
-  }
-}
-
-template <class View>
-SparsePaths::End SparsePaths::search(const Phase<View>& phase, std::uint32_t source) {
+SparsePaths::End SparsePaths::find_path(const Phase<View>& phase, std::uint32_t source) {
   forget_search();
   End end{kInfinity, true, source};
   scan(phase, source, 0, end);
-  while (!heap_.empty() && distance_[heap_.top()] < end.distance) {
-    const std::uint32_t j = heap_.pop(distance_);
+  while (true) {
+    std::uint32_t j = kNone;
+    if (!ready_.empty()) {
+      j = ready_.back();
+      ready_.pop_back();
+    } else if (!heap_.empty() && heap_.top_key() < end.distance) {
+      j = heap_.pop();
+    }
+    if (j == kNone || !(distance_[j] < end.distance)) return end;
     settled_.push_back(j);
     scan(phase, static_cast<std::uint32_t>(phase.other.mate[j]), distance_[j], end);
   }
-  return end;
 }
 
 template <class View>
@@ -145,8 +155,10 @@ void SparsePaths::scan(const Phase<View>& phase, std::uint32_t i, double distanc
     from_pair_[j] = k;
     if (phase.other.is_free(j)) {
       end = {reach, false, j};
+    } else if (reach == distance && !heap_.contains(j)) {
+      ready_.push_back(j);
     } else {
-      heap_.push_or_decrease(j, distance_);
+      heap_.push_or_decrease(j, reach);
     }
   }
 }
@@ -185,10 +197,13 @@ void SparsePaths::forget_search() {
   for (const std::uint32_t j : reached_) distance_[j] = kInfinity;
   reached_.clear();
   settled_.clear();
+  ready_.clear();
   heap_.clear();
 }
 
-template bool SparsePaths::serve(const Phase<RowView>&, std::vector<std::uint32_t>&);
-template bool SparsePaths::serve(const Phase<ColumnView>&, std::vector<std::uint32_t>&);
+template bool SparsePaths::bid(const Phase<RowView>&);
+template bool SparsePaths::bid(const Phase<ColumnView>&);
+template bool SparsePaths::search(const Phase<RowView>&, std::vector<std::uint32_t>&);
+template bool SparsePaths::search(const Phase<ColumnView>&, std::vector<std::uint32_t>&);
 
 }  // namespace nda::lap

@@ -9,23 +9,24 @@
 namespace nda::lap {
 
 /// Assigns one side of a sparse problem by bids and shortest augmenting paths.
+///
+/// Both calls serve members of `own` that are in want: assign them or lift their duals to their
+/// outside costs.  They need and keep: duals feasible, chosen pairs tight (to rounding).  Members
+/// of `other` that are assigned stay so, unless a fallback of own to its outside option frees one;
+/// their duals only decrease. View = RowView or ColumnView.
 class SparsePaths {
  public:
   /// Prepares for sides of at most n members.
   void resize(std::size_t n);
 
-  /// Serves every member of `own` that is in want: assigns it or lifts its dual to its outside
-  /// cost.
-  ///
-  /// Needs and keeps: duals feasible, chosen pairs tight (to rounding).  Members of `other` that
-  /// are assigned stay so unless a fallback to its outside option frees one at the end of the same
-  /// path; their duals only decrease.  View = RowView or ColumnView.
-  ///
-  /// @return false if members of `own` cannot all be assigned: `hall` then names a set of them.
-  /// Cost: one search per member that the bids left, each O(A log n) at worst, a few pairs in
-  /// practice.
+  /// Bids: cheap, may leave some in want.  @return true if nobody is.
   template <class View>
-  bool serve(const Phase<View>& phase, std::vector<std::uint32_t>& hall);
+  bool bid(const Phase<View>& phase);
+
+  /// One search for each member in want, O(A log n) at worst, a few pairs in practice.
+  /// @return false if members of `own` cannot all be assigned: `hall` then names a set of them.
+  template <class View>
+  bool search(const Phase<View>& phase, std::vector<std::uint32_t>& hall);
 
  private:
   // Where the shortest path found so far ends.
@@ -36,9 +37,9 @@ class SparsePaths {
   };
 
   template <class View>
-  void bid_all(const Phase<View>& phase);
+  void list_wanting(const Phase<View>& phase);
   template <class View>
-  End search(const Phase<View>& phase, std::uint32_t source);
+  End find_path(const Phase<View>& phase, std::uint32_t source);
   template <class View>
   void scan(const Phase<View>& phase, std::uint32_t i, double distance, End& end);
   template <class View>
@@ -48,13 +49,13 @@ class SparsePaths {
   void forget_search();
 
   std::vector<std::uint32_t> waiting_;    // members of own in want
-  std::vector<std::uint32_t> unserved_;   // those the bids left
   std::vector<double> distance_;          // of each member of other; +inf = not reached
   std::vector<std::uint32_t> from_;       // member of own before it on the path
   std::vector<std::uint32_t> from_pair_;  // pair between them, as the view counts
   std::vector<std::uint32_t> reached_;    // members of other with a distance
   std::vector<std::uint32_t> settled_;    // members of other whose distance is final
-  QuadHeap heap_;
+  std::vector<std::uint32_t> ready_;      // members of other at the distance of the last settled
+  QuadHeap heap_;                         // members of other further away
 };
 
 }  // namespace nda::lap

@@ -9,21 +9,49 @@
 // in want are served, which leaves no row in want, then columns, which keeps it so: see
 // sparse_paths.cpp.
 //
+// Where both sides are in want (a perfect assignment, say), they bid in turn a few times before any
+// search: a reverse bid lifts prices that many forward bids have depressed, and each unserved
+// member saved is a search over much of the graph saved.
+//
 // Drift cannot build up over thousands of warm solves, because every one computes u afresh.
 
 namespace nda::lap {
+namespace {
+
+constexpr int kBidRounds = 5;  // more find little to do
+
+// The pair of row i and column j, kNone if there is none; looks at `guess` first.
+std::uint32_t former_pair(const Assign2dProblem& problem,
+                          std::uint32_t i,
+                          std::int32_t j,
+                          std::uint32_t guess) {
+  const std::uint32_t begin = problem.row_start[i];
+  const std::uint32_t end = problem.row_start[i + 1];
+  if (j == kUnassigned) return kNone;
+  if (guess >= begin && guess < end && static_cast<std::int32_t>(problem.column[guess]) == j) {
+    return guess;
+  }
+  for (std::uint32_t k = begin; k < end; ++k) {
+    if (static_cast<std::int32_t>(problem.column[k]) == j) return k;
+  }
+  return kNone;
+}
+
+}  // namespace
 
 void SparseSolver::match_tight_pairs(const Assign2dProblem& problem, Assign2dResult& result) {
   for (std::uint32_t i = 0; i < problem.num_rows(); ++i) {
-    const std::int32_t former = result.column_of_row[i];
+    const std::uint32_t end = problem.row_start[i + 1];
     double least = problem.row_outside[i];
     std::uint32_t best = kNone;
-    for (std::uint32_t k = problem.row_start[i]; k < problem.row_start[i + 1]; ++k) {
-      const std::uint32_t j = problem.column[k];
-      const double offer = problem.cost[k] - result.v[j];
-      if (offer > least || (offer == least && static_cast<std::int32_t>(j) != former)) continue;
-      least = offer;
-      best = k;
+    for (std::uint32_t k = problem.row_start[i]; k < end; ++k) {
+      const double offer = problem.cost[k] - result.v[problem.column[k]];
+      best = offer < least ? k : best;
+      least = offer < least ? offer : least;
+    }
+    const std::uint32_t former = former_pair(problem, i, result.column_of_row[i], pair_of_row_[i]);
+    if (former != kNone && problem.cost[former] - result.v[problem.column[former]] == least) {
+      best = former;
     }
     result.u[i] = least == kInfinity ? 0 : least;
     result.column_of_row[i] = kUnassigned;
@@ -36,24 +64,38 @@ void SparseSolver::match_tight_pairs(const Assign2dProblem& problem, Assign2dRes
   }
 }
 
-void SparseSolver::do_solve(const Assign2dProblem& problem, Assign2dResult& result, bool warm) {
-  const std::size_t size = std::max(problem.num_rows(), problem.num_columns());
-  paths_.resize(size);
-  pair_of_row_.resize(problem.num_rows());
-  start(problem, result, warm);
-  match_tight_pairs(problem, result);
-
+bool SparseSolver::serve(const Assign2dProblem& problem, Assign2dResult& result) {
   const Side rows = row_side(problem, result);
   const Side columns = column_side(problem, result);
-  const RowView by_rows{problem.row_start, problem.column, problem.cost};
-  bool feasible =
-      paths_.serve(Phase<RowView>{by_rows, rows, columns, pair_of_row_}, result.hall_rows);
-  if (feasible && anyone_in_want(columns)) {
-    feasible =
-        paths_.serve(Phase<ColumnView>{transpose_.view(problem), columns, rows, pair_of_row_},
-                     result.hall_columns);
+  const Phase<RowView> by_rows{
+      {problem.row_start, problem.column, problem.cost}, rows, columns, pair_of_row_};
+  bool rows_served = paths_.bid(by_rows);
+  const bool columns_served = !anyone_in_want(columns);
+  if (columns_served) return rows_served || paths_.search(by_rows, result.hall_rows);
+
+  const Phase<ColumnView> by_columns{transpose_.view(problem), columns, rows, pair_of_row_};
+  for (int round = 1; round < kBidRounds && !rows_served; ++round) {
+    if (paths_.bid(by_columns)) break;
+    rows_served = paths_.bid(by_rows);
   }
-  finish(problem, feasible, result, [&](std::uint32_t i) { return problem.cost[pair_of_row_[i]]; });
+  if (!paths_.search(by_rows, result.hall_rows)) return false;
+  return paths_.bid(by_columns) || paths_.search(by_columns, result.hall_columns);
+}
+
+void SparseSolver::do_solve(const Assign2dProblem& problem, Assign2dResult& result, bool warm) {
+  paths_.resize(std::max(problem.num_rows(), problem.num_columns()));
+  pair_of_row_.resize(problem.num_rows(), kNone);
+  start(RowView{problem.row_start, problem.column, problem.cost},
+        problem.cost,
+        problem.row_outside,
+        problem.column_outside,
+        result,
+        warm);
+  match_tight_pairs(problem, result);
+  const bool feasible = serve(problem, result);
+  finish(problem.row_outside, problem.column_outside, feasible, result, [&](std::uint32_t i) {
+    return problem.cost[pair_of_row_[i]];
+  });
 }
 
 }  // namespace nda::lap

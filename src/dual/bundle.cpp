@@ -9,7 +9,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
 namespace nda::dual {
 namespace {
@@ -52,6 +52,10 @@ void Bundle::measure_candidate() {
     row_[i] = g.dot(as_vector(column(slot_[i])));
     candidate_slope_ += step_ * weights_[i] * row_[i];
   }
+}
+
+double Bundle::candidate_reach() const {
+  return step_ * std::sqrt(candidate_norm2_ * norm2_);
 }
 
 void Bundle::insert_candidate(double error, int evaluation) {

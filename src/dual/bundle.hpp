@@ -36,6 +36,9 @@ class Bundle {
   /// candidate'd for the d of the last solve.
   double candidate_slope() const { return candidate_slope_; }
 
+  /// |candidate| |d|: the size of the terms of candidate_slope().
+  double candidate_reach() const;
+
   /// Keeps the candidate, with its linearisation error at the centre.  When full, drops the
   /// subgradient unused for longest; if all are in use, replaces one by the aggregate.
   void insert_candidate(double error, int evaluation);
@@ -50,6 +53,7 @@ class Bundle {
   double aggregate_norm2() const { return norm2_; }  ///< |aggregate|^2
   double aggregate_error() const { return error_; }  ///< sum of weight[i] error[i]
   double predicted_increase() const { return step_ * norm2_ + error_; }  ///< model(d) - q(c)
+  double master_value() const { return step_ * norm2_ / 2 + error_; }    ///< optimum of the master
   std::span<const double> aggregate() const { return {columns_[aggregate_].data(), n_}; }
 
   /// The aggregate as a combination of the evaluations; empty unless asked for.

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "nda/types.hpp"
 
 namespace nda::dual {
 namespace {
+
+/// Relative accuracy that no method tries to exceed.
+constexpr double kRounding = 64 * std::numeric_limits<double>::epsilon();
 
 [[noreturn]] void fail(const std::string& what, double value) {
   throw InputError(what + " is " + std::to_string(value));
@@ -57,8 +61,25 @@ double Recorder::evaluate(std::span<const double> u, std::span<double> subgradie
   const std::string place = "evaluation " + std::to_string(result_.evaluations) + ": ";
   if (!std::isfinite(value)) fail(place + "q", value);
   require_finite(subgradient, place + "subgradient");
-  if (result_.evaluations == 1) first_value_ = value;
+  if (result_.evaluations == 1) {
+    first_value_ = value;
+    set_expectations(subgradient);
+  }
   return value;
+}
+
+// Without any hint, q itself sets the scale: a dual function starts at a sum of costs.
+void Recorder::set_expectations(std::span<const double> subgradient) {
+  double norm = 0;
+  for (const double g : subgradient) norm = std::hypot(norm, g);
+  if (options_.expected_increase > 0) {
+    expected_increase_ = options_.expected_increase;
+  } else if (std::isfinite(options_.target) && options_.target > first_value_) {
+    expected_increase_ = options_.target - first_value_;
+  } else {
+    expected_increase_ = first_value_ != 0 ? std::abs(first_value_) : norm;
+  }
+  if (norm > 0) expected_distance_ = expected_increase_ / norm;
 }
 
 void Recorder::report(std::span<const double> u, double value, bool serious, double primal_step) {
@@ -75,15 +96,8 @@ void Recorder::report(std::span<const double> u, double value, bool serious, dou
 
 double Recorder::tolerance() const {
   const double scale = std::max(std::abs(result_.value), result_.value - first_value_);
-  return options_.relative_tolerance * scale;
-}
-
-double Recorder::expected_increase(double subgradient_norm) const {
-  if (options_.expected_increase > 0) return options_.expected_increase;
-  if (std::isfinite(options_.target) && options_.target > first_value_) {
-    return options_.target - first_value_;
-  }
-  return first_value_ != 0 ? std::abs(first_value_) : subgradient_norm;
+  return std::max(options_.relative_tolerance * scale,
+                  kRounding * std::max(scale, expected_increase_));
 }
 
 MaximizeResult Recorder::finish() {

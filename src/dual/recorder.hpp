@@ -32,20 +32,28 @@ class Recorder {
   double first_value() const { return first_value_; }
   std::span<const double> best_point() const { return result_.point; }
 
-  /// relative_tolerance * S, see MaximizeOptions.
-  double tolerance() const;
+  /// Guess of max q - q(start) from the options, the first value and |g| there; > 0 where g is not
+  /// 0.
+  double expected_increase() const { return expected_increase_; }
 
-  /// Guess of max q - q(start) from the options and the first value: > 0.
-  double expected_increase(double subgradient_norm) const;
+  /// How far the maximum may be from the start, as a guess: expected increase / |g|.
+  double expected_distance() const { return expected_distance_; }
+
+  /// relative_tolerance * S, see MaximizeOptions, but no less than rounding.
+  double tolerance() const;
 
   /// The answer; kConverged unless stopped().  Leaves the recorder empty.
   MaximizeResult finish();
 
  private:
+  void set_expectations(std::span<const double> subgradient);
+
   ConcaveFunction* function_;
   MaximizeOptions options_;
   const Observer* observer_;
   double first_value_ = 0;
+  double expected_increase_ = 0;
+  double expected_distance_ = 0;
   std::optional<StopReason> reason_;
   MaximizeResult result_;
 };

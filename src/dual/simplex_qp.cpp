@@ -225,7 +225,7 @@ void ActiveSetQp::Solver::set_descent() {
 // dropping every weight that hits zero on the way.  Working with the change of the weights makes
 // every round a step of iterative refinement as well.
 void ActiveSetQp::Solver::make_stationary() {
-  for (;;) {
+  while (support_.size() > 1) {
     set_descent();
     solve_with_sum(0, front(direction_));
     double step = 0;
@@ -234,6 +234,7 @@ void ActiveSetQp::Solver::make_stationary() {
     if (leaving == support_.size()) return;
     remove(leaving);
   }
+  value_[0] = 1;
 }
 
 // The weight that vanishes first along direction_, or the size of S if none does up to `limit`.

@@ -21,7 +21,7 @@ namespace {
 constexpr double kFirstGap = 0.25;  // of the expected increase
 constexpr double kRise = 0.5;       // a rise of this part of the gap confirms it
 constexpr int kQuickRise = 3;       // steps; sooner than this, the gap was too small
-constexpr double kPathSteps = 4;    // path allowed without a rise, in first steps of the phase
+constexpr double kPathSteps = 3;    // path allowed without a rise, in first steps of the phase
 
 class Subgradient {
  public:
@@ -94,7 +94,7 @@ bool Subgradient::step() {
 
 MaximizeResult Subgradient::run() {
   evaluate();
-  gap_ = kFirstGap * recorder_.expected_increase(norm_);
+  gap_ = kFirstGap * recorder_.expected_increase();
   begin_phase();
   while (!recorder_.stopped() && step()) {
     evaluate();

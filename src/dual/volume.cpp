@@ -6,14 +6,15 @@
 // tends to a primal optimum; Iterate::primal_step hands out alpha.
 //
 // As in the paper: alpha minimises |alpha g + (1 - alpha) v| between a tenth of its upper limit and
-// that limit, which starts at 0.1 and is halved when the value stalls; step = f (T - q) / |v|^2;
-// f shrinks after a run of red steps (no increase) and grows after a green one (increase, and g'v
-// >= 0). Different: targets T are measured from q(start), not from 0, so that adding a constant to
-// q changes nothing, and are doubled rather than raised by 5 % when reached; f shrinks after 10 red
-// steps, not 20, the limit of alpha is tried against the last 50 evaluations, not 100, and starts
-// at 0.2: runs here have hundreds of steps, not thousands.  The run ends when the linearisation
-// error of the average and its norm times the distance covered are both small, the test of the
-// bundle method.
+// that limit, which is halved when the value stalls; step = f (T - q) / |v|^2; f shrinks after red
+// steps (no increase) and grows after a green one (increase, and g'v >= 0).
+// Different: targets T are measured from q(start), not from 0, so that adding a constant to q
+// changes nothing, and doubled rather than raised by 5 % when reached; f loses a third at every red
+// step, not after 20 of them, and has no floor; the limit of alpha starts at 0.8, not 0.1, and is
+// tried against the last 50 evaluations, not 100.  The paper has thousands of steps in mind, here
+// they are hundreds, and T is only a guess.  Should the average vanish while its linearisation
+// error does not, it starts again from the last subgradient.  The run ends when that error and the
+// norm of the average times the distance covered are both small, the test of the bundle method.
 #include <algorithm>
 #include <cmath>
 
@@ -23,16 +24,14 @@
 namespace nda::dual {
 namespace {
 
-constexpr double kFirstLimit = 0.2;  // of alpha
+constexpr double kFirstLimit = 0.8;  // of alpha
 constexpr double kLeastLimit = 1e-5;
 constexpr int kLimitPeriod = 50;      // evaluations between trials of the limit
 constexpr double kLimitRise = 0.01;   // a relative rise in such a period that keeps it
 constexpr double kFirstFactor = 0.5;  // f
 constexpr double kMostFactor = 2;
-constexpr double kLeastFactor = 5e-4;
 constexpr double kGreen = 1.1;
 constexpr double kRed = 0.66;
-constexpr int kRedSteps = 10;
 constexpr double kNearTarget = 0.95;
 
 double dot(std::span<const double> a, std::span<const double> b) {
@@ -81,20 +80,19 @@ class Volume {
   double centre_value_ = 0;
   double error_ = 0;   // linearisation error of v at the centre
   double norm2_ = 0;   // |v|^2
-  double radius_ = 0;  // how far the maximum may be: the first step, or the farthest reached
+  double radius_ = 0;  // expected distance, or farthest centre from the start
   double rise_ = 0;    // T - q(start)
   double factor_ = kFirstFactor;
   double limit_ = kFirstLimit;
   double limit_value_ = 0;  // q(centre) when limit_ was last tried
-  int red_ = 0;
 };
 
 void Volume::evaluate_start() {
   centre_value_ = recorder_.evaluate(centre_, average_);
   if (!weights_.empty()) weights_[0] = 1;
   norm2_ = dot(average_, average_);
-  rise_ = recorder_.expected_increase(std::sqrt(norm2_));
-  if (norm2_ > 0) radius_ = rise_ / std::sqrt(norm2_);
+  rise_ = recorder_.expected_increase();
+  radius_ = recorder_.expected_distance();
   limit_value_ = centre_value_;
   recorder_.report(centre_, centre_value_, true, 1);
 }
@@ -131,10 +129,8 @@ void Volume::accept(double value) {
 void Volume::adapt_factor(bool improved, double slope) {
   if (improved) {
     if (slope >= 0) factor_ = std::min(kMostFactor, factor_ * kGreen);
-    red_ = 0;
-  } else if (++red_ >= kRedSteps) {
-    factor_ = std::max(kLeastFactor, factor_ * kRed);
-    red_ = 0;
+  } else {
+    factor_ *= kRed;
   }
 }
 
@@ -155,7 +151,6 @@ void Volume::step() {
   const double gap = recorder_.first_value() + rise_ - centre_value_;
   const double length = factor_ * std::max(gap, recorder_.tolerance()) / norm2_;
   for (std::size_t i = 0; i < trial_.size(); ++i) trial_[i] = centre_[i] + length * average_[i];
-  radius_ = std::max(radius_, length * std::sqrt(norm2_));
   const double value = recorder_.evaluate(trial_, subgradient_);
   const double increase = value - centre_value_;
   const double slope = length * dot(subgradient_, average_);
@@ -166,8 +161,12 @@ void Volume::step() {
     error = 0;
     accept(value);
   }
-  const double alpha = best_alpha();
+  double alpha = best_alpha();
   average(alpha, std::max(0.0, error));
+  if (norm2_ == 0 && error_ > recorder_.tolerance()) {
+    alpha = 1;
+    average(alpha, std::max(0.0, error));
+  }
   adapt_factor(improved, slope);
   adapt_limit();
   adapt_target();

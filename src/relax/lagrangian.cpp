@@ -1,6 +1,7 @@
 #include "relax/lagrangian.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "dual/maximize.hpp"
 
@@ -85,7 +86,14 @@ LagrangianResult maximize_dual(const Component& component,
   dual::MaximizeOptions limits;
   limits.max_evaluations = options.max_evaluations;
   limits.relative_tolerance = options.relative_tolerance;
+  limits.bundle_size = options.bundle_size;
   limits.target = options.goal;
+  // Near the optimum the gap is the right size of a first step; from 0 the method's own guess is
+  // better.
+  if (!warm.empty() && options.goal < kInfinity) {
+    limits.expected_increase =
+        std::max(0.0, options.goal - std::accumulate(warm.begin(), warm.end(), 0.0));
+  }
   dual::maximize(
       options.dual_method, loop.function(), start, limits, [&](const dual::Iterate& iterate) {
         return loop.observe(iterate);

@@ -9,8 +9,8 @@
 #include "core/random.hpp"
 #include "decompose/components.hpp"
 #include "decompose/reduced_cost_fixing.hpp"
+#include "recovery/core_search.hpp"
 #include "recovery/greedy.hpp"
-#include "recovery/local_search.hpp"
 #include "recovery/recursive.hpp"
 #include "relax/lagrangian.hpp"
 
@@ -27,9 +27,15 @@ using core::Packing;
 
 constexpr std::int64_t kEnumerationNodes = 200000;
 constexpr int kFeasibleSweeps = 3;
-constexpr std::size_t kCoreArcsPerIndex = 20;
 // The second round searches so many times longer than the first.
 constexpr int kFinishEffort = 10;
+constexpr int kWideEffort = 100;
+constexpr double kWideGap = 0.02;
+constexpr int kSharpenRounds = 8;
+constexpr int kSharpenEvaluations = 500;
+constexpr int kSharpenBundle = 100;
+// A round that leaves more than this share of the gap is the last.
+constexpr double kWorthwhile = 0.97;
 
 relax::LagrangianOptions loop_options(const Options& options, const core::Deadline& deadline) {
   relax::LagrangianOptions loop;
@@ -107,6 +113,9 @@ void ComponentSolver::finish(double allowed_gap) {
   }
   if (close_enough(allowed_gap) || deadline_.reached()) return;
   search(kFinishEffort);
+  sharpen(allowed_gap);
+  // With a gap that wide the tree is hopeless; better solutions are not.
+  if (state_.best.cost - state_.lower > kWideGap * std::abs(state_.best.cost)) search(kWideEffort);
   if (!close_enough(allowed_gap)) branch(allowed_gap);
 }
 
@@ -119,11 +128,8 @@ void ComponentSolver::solve_assignment() {
       relax::maximize_dual(component_, {}, loop, [&](const relax::DualFunction& point) {
         return recovery::recover_recursively(component_, point, options_.relaxation, deadline_);
       });
-  ++state_.evaluations;
   offer(result.best, "assignment");
-  state_.u = std::move(result.u);
-  state_.certificate = result.lower;
-  raise_bound(result.lower, "assignment");
+  accept_dual(std::move(result), "assignment");
 }
 
 void ComponentSolver::enumerate() {
@@ -140,9 +146,7 @@ void ComponentSolver::enumerate() {
   loop.max_evaluations = options_.branch.node_evaluations;
   loop.goal = state_.best.cost - precision_.error;
   relax::LagrangianResult dual = relax::maximize_dual(component_, u, loop, {});
-  state_.evaluations += dual.evaluations;
-  state_.u = std::move(dual.u);
-  state_.certificate = dual.lower;
+  accept_dual(std::move(dual), "enumeration");
   raise_bound(state_.best.cost - precision_.error, "enumeration");
 }
 
@@ -158,57 +162,48 @@ void ComponentSolver::relax() {
     offer(packing, "recovery");
     return packing;
   };
-  relax::LagrangianResult result = relax::maximize_dual(component_, {}, loop, recover);
+  accept_dual(relax::maximize_dual(component_, {}, loop, recover), "relaxation");
+}
+
+// The first rounds of the dual method are for all components alike; where a gap is left, a larger
+// bundle goes on from their multipliers as long as a round is worth its time.  Fixing makes every
+// bit count twice.
+void ComponentSolver::sharpen(double allowed_gap) {
+  for (int round = 0; round < kSharpenRounds && !close_enough(allowed_gap); ++round) {
+    const double gap = state_.best.cost - state_.lower;
+    relax::LagrangianOptions loop = loop_options(options_, deadline_);
+    loop.max_evaluations = kSharpenEvaluations;
+    loop.bundle_size = kSharpenBundle;
+    loop.recovery_interval = 0;
+    loop.goal = cutoff();
+    accept_dual(relax::maximize_dual(component_, state_.u, loop, {}), "sharpened bound");
+    if (deadline_.reached() || state_.best.cost - state_.lower > kWorthwhile * gap) return;
+  }
+}
+
+void ComponentSolver::accept_dual(relax::LagrangianResult result, const char* event) {
   state_.evaluations += result.evaluations;
   state_.recoveries += result.recoveries;
-  if (result.lower > state_.certificate) {
-    state_.u = std::move(result.u);
-    state_.certificate = result.lower;
-    raise_bound(result.lower, "relaxation");
-  }
+  if (result.lower <= state_.certificate) return;
+  state_.u = std::move(result.u);
+  state_.certificate = result.lower;
+  raise_bound(result.lower, event);
 }
 
-// Searches among the arcs of least reduced cost only: no packing better than the best uses an arc
-// whose reduced cost exceeds the gap, and the few cheapest of the rest are the ones that matter.
 void ComponentSolver::search(int effort) {
   if (state_.complete || !options_.search.local_search || deadline_.reached()) return;
-  const std::vector<ArcId> core_arcs = promising_arcs();
-  core::Cutter cutter;
-  const Component core = cutter.cut(component_, core_arcs);
+  recovery::CoreSearchOptions search;
+  search.kicks_per_index = effort * options_.search.kicks_per_index;
+  search.goal = state_.lower + precision_.error;
   core::Random random(seed_ + static_cast<std::uint64_t>(effort));
-  Packing packing = state_.best;
-  for (ArcId& a : packing.arcs) {
-    a = static_cast<ArcId>(std::lower_bound(core_arcs.begin(), core_arcs.end(), a) -
-                           core_arcs.begin());
-  }
-  const std::int64_t kicks = std::int64_t{effort} * options_.search.kicks_per_index *
-                             static_cast<std::int64_t>(core.num_indices());
-  recovery::LocalSearch(core).improve(
-      packing, kicks, state_.lower + precision_.error, random, deadline_);
-  for (ArcId& a : packing.arcs) a = core_arcs[a];
-  offer(packing, "local search");
-}
-
-// Arcs of reduced cost below the gap, at most kCoreArcsPerIndex per index, and those of the best
-// packing.
-std::vector<ArcId> ComponentSolver::promising_arcs() const {
-  const double gap = state_.best.cost - state_.certificate;
-  std::vector<std::pair<double, ArcId>> ranked;
-  for (ArcId a = 0; a < component_.num_arcs(); ++a) {
-    const double r = core::reduced_cost(component_, state_.u, a);
-    if (r < gap) ranked.push_back({r, a});
-  }
-  const std::size_t limit = kCoreArcsPerIndex * component_.num_indices();
-  if (ranked.size() > limit) {
-    std::nth_element(
-        ranked.begin(), ranked.begin() + static_cast<std::ptrdiff_t>(limit), ranked.end());
-    ranked.resize(limit);
-  }
-  std::vector<ArcId> arcs = state_.best.arcs;
-  for (const auto& entry : ranked) arcs.push_back(entry.second);
-  std::sort(arcs.begin(), arcs.end());
-  arcs.erase(std::unique(arcs.begin(), arcs.end()), arcs.end());
-  return arcs;
+  offer(recovery::search_core(component_,
+                              state_.u,
+                              state_.best.cost - state_.certificate,
+                              state_.best,
+                              search,
+                              random,
+                              deadline_),
+        "local search");
 }
 
 void ComponentSolver::branch(double allowed_gap) {
@@ -224,9 +219,13 @@ void ComponentSolver::branch(double allowed_gap) {
     bnb::NodeBound bound{std::move(dual.u), dual.lower, {}};
     const double inherited = std::accumulate(warm.begin(), warm.end(), 0.0);
     if (inherited > bound.lower) bound = {{warm.begin(), warm.end()}, inherited, {}};
-    bound.packing = recovery::dual_greedy(node, bound.u);
-    core::Random random(seed_ + 3);
-    recovery::LocalSearch(node).improve(bound.packing, 0, bound.lower, random, deadline_);
+    if (bound.lower >= cutoff) return bound;
+    recovery::CoreSearchOptions search;
+    search.kicks_per_index = 0;
+    search.goal = bound.lower;
+    core::Random random(seed_);
+    bound.packing =
+        recovery::search_core(node, bound.u, cutoff - bound.lower, {}, search, random, deadline_);
     return bound;
   };
   collaborators.reduce = reduce;

@@ -9,8 +9,11 @@
 #include "assign2d/auction.hpp"
 #include "assign2d/brute_force.hpp"
 #include "assign2d/certificate.hpp"
+#include "assign2d/core_solver.hpp"
+#include "assign2d/dense_solver.hpp"
 #include "assign2d/instances.hpp"
 #include "assign2d/network_simplex.hpp"
+#include "assign2d/shortest_path.hpp"
 #include "assign2d/sparse_solver.hpp"
 #include "support/no_alloc.hpp"
 
@@ -258,6 +261,9 @@ TEST_P(Assign2dSolvers, AllocateNothingOnceWarm) {
 
 const Implementation kImplementations[] = {
     {"Sparse", make<lap::SparseSolver>, true},
+    {"Dense", make<lap::DenseSolver>, true},
+    {"Core", make<lap::CoreSolver>, true},
+    {"ShortestPath", make<lap::ShortestPathSolver>, true},
     {"Auction", make<lap::AuctionSolver>, true},
     {"NetworkSimplex", make<lap::NetworkSimplexSolver>, false},
 };

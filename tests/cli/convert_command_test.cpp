@@ -80,12 +80,38 @@ TEST(ConvertCommand, NamesWhatIsWrongInOneLine) {
 
 // A claim the file can back only with more memory than there is must end in a sentence.
 TEST(ConvertCommand, SurvivesALackOfMemory) {
+  if (!kCanLimitMemory) GTEST_SKIP() << "sanitizers need all addresses";
   const TemporaryFolder folder;
   write_file(folder / "a.nda", "p nda 2 16000000 0 0\n");
   const Outcome outcome = run(folder, "ulimit -v 80000; nda convert a.nda b.nda");
   EXPECT_EQ(outcome.code, 2);
   EXPECT_EQ(outcome.log, "nda: out of memory\n");
   EXPECT_THAT(folder.files(), ElementsAre("a.nda"));
+}
+
+// Whatever a small file claims, it gets a sentence within 100 MB of address space, not "out of
+// memory".
+TEST(ConvertCommand, RefusesLargeClaimsWithoutAllocatingForThem) {
+  if (!kCanLimitMemory) GTEST_SKIP() << "sanitizers need all addresses";
+  const TemporaryFolder folder;
+  write_file(folder / "arcs.nda", "p nda 2 1 1 4000000000\na 1 1 1\n");
+  write_file(folder / "sizes.nda", "p nda 3 4000000000 4000000000 4000000000 1\na 1 1 1 1\n");
+  write_file(folder / "size.nda", "p nda 2 250000000 1 1\na 1 1 1\n");
+  write_file(folder / "cube.dense", "3 1600\n1 2 3\n");
+  write_file(folder / "square.dense", "2 65535\n1 2 3\n");
+  write_file(folder / "row.csv", "i1,i2,cost\n250000000,1,4\n");
+  for (const std::string& name : folder.files()) {
+    for (const std::string& command : {"nda convert " + name + " out.nda",
+                                       "gzip -c " + name + " | nda convert --from " +
+                                           name.substr(name.rfind('.') + 1) + " - out.nda"}) {
+      const Outcome outcome = run(folder, "ulimit -v 100000; " + command);
+      EXPECT_EQ(outcome.code, 2) << command;
+      EXPECT_THAT(
+          outcome.log,
+          ::testing::AnyOf(HasSubstr("too many for a file of at most"), HasSubstr("are supported")))
+          << command;
+    }
+  }
 }
 
 TEST(ConvertCommand, LeavesNoPartWhenTheDiskIsFull) {

@@ -62,7 +62,14 @@ struct Malformed {
   const char* message;
 };
 
-TEST(NdaReader, NamesLineAndValueOfEveryFault) {
+template <std::size_t n>
+void expect_messages(const Malformed (&cases)[n]) {
+  for (const Malformed& malformed : cases) {
+    EXPECT_EQ(error(malformed.text), malformed.message) << malformed.text;
+  }
+}
+
+TEST(NdaReader, NamesLineAndValueOfEveryFaultInTheHeader) {
   const Malformed kCases[] = {
       {"", "line 1: expected a line 'p nda ...', found the end of the file"},
       {"c only\n\n", "line 3: expected a line 'p nda ...', found the end of the file"},
@@ -104,6 +111,12 @@ TEST(NdaReader, NamesLineAndValueOfEveryFault) {
       {"p nda 2 200000000 1 0\n",
        "line 1: 200000001 indices declared, too many for a file of at most 22 bytes (at most one "
        "per byte and 16777216 more)"},
+  };
+  expect_messages(kCases);
+}
+
+TEST(NdaReader, NamesLineAndValueOfEveryFaultInAnArc) {
+  const Malformed kCases[] = {
       {"p nda 2 3 7 1\na 1 9 4\n", "line 2: index 9 of dimension 2 exceeds 7"},
       {"p nda 2 3 7 1\na 9999999999 1 4\n", "line 2: index 9999999999 of dimension 1 exceeds 3"},
       {"p nda 2 3 7 1\na -1 1 4\n", "line 2: expected an index of dimension 1, found '-1'"},
@@ -137,6 +150,19 @@ TEST(NdaReader, NamesLineAndValueOfEveryFault) {
        "line 2: expected a line that begins with a, b, c or p, found '1'"},
       {"p nda 2 3 7 2\na 1 2 3\n\n", "line 4: the file ends after 1 arc lines, 2 announced"},
       {"p nda 2 3 7 1\na 1 2 3\na 1 3 3\n", "line 3: more than the 1 arc lines announced"},
+      {"\x7f\x45LF\x01\x02\xff\n",
+       "line 1: expected a line that begins with a, b, c or p, found '\\x7fELF\\x01\\x02\\xff'"},
+      {"an uncommonly long word: abcdefghijklmnopqrstuvwxyz\n",
+       "line 1: expected a line that begins with a, b, c or p, found 'an'"},
+      {"abcdefghijklmnopqrstuvwxyzabcdefghijklmnopqrstuvwxyz\n",
+       "line 1: expected a line that begins with a, b, c or p, found "
+       "'abcdefghijklmnopqrstuvwxyzabcdef...'"},
+  };
+  expect_messages(kCases);
+}
+
+TEST(NdaReader, NamesLineAndValueOfEveryFaultInBounds) {
+  const Malformed kCases[] = {
       {"p nda 2 3 7 0\nb 2 5 0 inf\n",
        "line 2: bounds 0 inf of index 5 of dimension 2: only 1 1 is supported"},
       {"p nda 2 3 7 0\nb 2 5 1 2\n",
@@ -152,17 +178,8 @@ TEST(NdaReader, NamesLineAndValueOfEveryFault) {
        "line 2: expected an upper bound, a whole number up to 4294967295, found the end of the "
        "line"},
       {"p nda 2 3 7 0\nb 1 1 1 1 1\n", "line 2: unexpected '1'"},
-      {"\x7f\x45LF\x01\x02\xff\n",
-       "line 1: expected a line that begins with a, b, c or p, found '\\x7fELF\\x01\\x02\\xff'"},
-      {"an uncommonly long word: abcdefghijklmnopqrstuvwxyz\n",
-       "line 1: expected a line that begins with a, b, c or p, found 'an'"},
-      {"abcdefghijklmnopqrstuvwxyzabcdefghijklmnopqrstuvwxyz\n",
-       "line 1: expected a line that begins with a, b, c or p, found "
-       "'abcdefghijklmnopqrstuvwxyzabcdef...'"},
   };
-  for (const Malformed& malformed : kCases) {
-    EXPECT_EQ(error(malformed.text), malformed.message) << malformed.text;
-  }
+  expect_messages(kCases);
 }
 
 TEST(NdaReader, RefusesAZeroByte) {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <memory>
+#include <ostream>
 #include <span>
 #include <string>
 #include <utility>
@@ -53,6 +53,10 @@ struct NonsmoothProblem {
   std::size_t size() const { return start.size(); }
   NegatedFunction negated() const { return NegatedFunction(start.size(), formula); }
 };
+
+inline void PrintTo(const NonsmoothProblem& problem, std::ostream* out) {
+  *out << problem.name;
+}
 
 /// Keeps the largest of some smooth pieces and writes its gradient.
 class MaxOfPieces {
