@@ -38,6 +38,7 @@ class LocalSearch {
  private:
   bool try_force(core::ArcId a, double allowed_rise);
   bool hopeless(core::ArcId a, double allowed_rise) const;
+  bool fits(core::ArcId a) const;
   void repair();
   void undo();
   void descend(const core::Deadline& deadline);
@@ -49,6 +50,7 @@ class LocalSearch {
 
   const core::Component& component_;
   SlotArcs slot_arcs_;
+  ArcSlots arc_slots_;
   PackingState state_;
   std::vector<double> reduced_;  // [arc]
   std::vector<double> price_;    // [slot]: -u
@@ -56,6 +58,8 @@ class LocalSearch {
   std::vector<core::ArcId> inserted_;
   std::vector<core::ArcId> fitting_;
   std::vector<std::uint32_t> freed_;
+  std::vector<std::uint32_t> seen_;  // [arc]: number of the repair that looked at it last
+  std::uint32_t num_repairs_ = 0;
   core::Packing best_;
 };
 
