@@ -11,6 +11,7 @@
 #include "decompose/reduced_cost_fixing.hpp"
 #include "recovery/core_search.hpp"
 #include "recovery/greedy.hpp"
+#include "recovery/recovery.hpp"
 #include "recovery/recursive.hpp"
 #include "relax/lagrangian.hpp"
 
@@ -156,10 +157,11 @@ void ComponentSolver::relax() {
   loop.max_evaluations = options_.relaxation.max_evaluations;
   loop.recovery_interval = options_.relaxation.recovery_interval;
   loop.goal = cutoff();
+  const auto recovery = recovery::make_recovery(
+      options_.relaxation.recovery, component_, options_.relaxation, deadline_);
   const auto recover = [&](const relax::DualFunction& point) {
-    Packing packing =
-        recovery::recover_recursively(component_, point, options_.relaxation, deadline_);
-    offer(packing, "recovery");
+    Packing packing = recovery->recover(point);
+    offer(packing, recovery->name());
     return packing;
   };
   accept_dual(relax::maximize_dual(component_, {}, loop, recover), "relaxation");
