@@ -10,7 +10,6 @@
 #include "decompose/components.hpp"
 #include "decompose/reduced_cost_fixing.hpp"
 #include "recovery/core_search.hpp"
-#include "recovery/greedy.hpp"
 #include "recovery/recovery.hpp"
 #include "recovery/recursive.hpp"
 #include "relax/lagrangian.hpp"
@@ -102,7 +101,9 @@ void ComponentSolver::start() {
   if (component_.num_arcs() <= options_.branch.exact_arcs || options_.method == Method::kExact)
     enumerate();
   if (state_.complete) return;
-  offer(recovery::greedy(component_, component_.costs), "greedy");
+  offer(
+      recovery::greedy_in_core(component_, state_.u, recovery::CoreSearchOptions{}.arcs_per_index),
+      "greedy");
   relax();
   search(1);
 }
