@@ -1,12 +1,12 @@
-// Times the two-dimensional solvers on one problem; bench/assign2d.py writes the problem, runs this and
-// compares with scipy.
+// Times the two-dimensional solvers on one problem; bench/assign2d.py writes the problem, runs this
+// and compares with scipy.
 //
 //   assign2d_benchmark FILE [SECONDS]
 //
-// FILE: native-endian; num_rows, num_columns, num_pairs as 64-bit integers, row_start and column as 32-bit
-// integers, cost, row_outside, column_outside as doubles.  One line per method on standard output:
-// name, cost, microseconds cold, warm with few changes, warm with small changes everywhere (medians).
-// A method gets about SECONDS (default 0.3) per figure, and at least one run.
+// FILE: native-endian; num_rows, num_columns, num_pairs as 64-bit integers, row_start and column as
+// 32-bit integers, cost, row_outside, column_outside as doubles.  One line per method on standard
+// output: name, cost, microseconds cold, warm with few changes, warm with small changes everywhere
+// (medians). A method gets about SECONDS (default 0.3) per figure, and at least one run.
 
 #include <algorithm>
 #include <chrono>
@@ -39,8 +39,7 @@ struct Instance {
 template <class T>
 void read_array(std::ifstream& in, std::vector<T>& values, std::size_t size) {
   values.resize(size);
-  in.read(reinterpret_cast<char*>(values.data()),
-          static_cast<std::streamsize>(size * sizeof(T)));
+  in.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(size * sizeof(T)));
 }
 
 Instance read_instance(const char* path) {
@@ -81,24 +80,29 @@ double median(double limit_s,
   return times[times.size() / 2];
 }
 
-// Moves a share of the costs by up to step times the range of all, away from where they started.
-void change(const Instance& original, double share, double step, std::mt19937_64& random, Instance& now) {
+// Moves the costs of a share of the rows by up to step times the range of all, from where they
+// started.
+void change(
+    const Instance& original, double share, double step, std::mt19937_64& random, Instance& now) {
   std::uniform_real_distribution<double> uniform(-1, 1);
-  double lowest = nda::kInfinity, highest = -nda::kInfinity;
-  for (const double c : original.cost) {
-    lowest = std::min(lowest, c);
-    highest = std::max(highest, c);
-  }
-  const std::size_t stride = static_cast<std::size_t>(std::lround(1 / share));
-  for (std::size_t k = random() % stride; k < now.cost.size(); k += 1 + random() % (2 * stride - 1)) {
-    now.cost[k] = original.cost[k] + step * (highest - lowest) * uniform(random);
+  const auto [lowest, highest] = std::minmax_element(original.cost.begin(), original.cost.end());
+  const double most = original.cost.empty() ? 0 : step * (*highest - *lowest);
+  const std::size_t num_rows = original.row_outside.size();
+  const std::size_t num_moved = static_cast<std::size_t>(std::ceil(share * num_rows));
+  const std::size_t first = random() % std::max<std::size_t>(1, num_rows);
+  for (std::size_t n = 0; n < num_moved; ++n) {
+    const std::size_t i = (first + n * (num_rows / num_moved)) % num_rows;
+    for (std::size_t k = now.row_start[i]; k < now.row_start[i + 1]; ++k) {
+      now.cost[k] = original.cost[k] + most * uniform(random);
+    }
   }
 }
 
 void run(const char* name, nda::Assign2dMethod method, const Instance& instance, double limit_s) {
   const auto solver = nda::make_assign2d_solver(method);
   nda::Assign2dResult result;
-  const double cold = median(limit_s, [] {}, [&] { solver->solve(instance.view(), result); });
+  const double cold = median(
+      limit_s, [] {}, [&] { solver->solve(instance.view(), result); });
   const double cost = result.cost;
   std::mt19937_64 random(1);
   double warm[2];

@@ -1,20 +1,14 @@
-// Two scans of two aircraft and a third that saw only one of them: which detections belong
-// together?
 #include <cstdio>
 
 #include "nda/nda.hpp"
 
 int main() {
   nda::ProblemBuilder builder({2, 2, 1});  // three scans with 2, 2 and 1 detections
-  builder.add_arc({1, 1, 1}, -5.0);        // a track through all three; the lower, the likelier
+  builder.add_arc({1, 1, 1}, -5.0);        // a possible track; the lower, the likelier
   builder.add_arc({1, 2, 1}, -6.0);
   builder.add_arc({2, 2, 0}, -4.0);  // 0: the third scan missed it
   const nda::Problem problem = std::move(builder).build();
-
-  const nda::Solution solution = nda::solve(problem);
-  std::printf("%s: cost %g, lower bound %g\n",
-              nda::to_string(solution.status),
-              solution.cost,
-              solution.lower_bound);
-  return nda::check(problem, solution).passed() ? 0 : 1;
+  const nda::Solution best = nda::solve(problem);
+  std::printf("%s: cost %g, bound %g\n", to_string(best.status), best.cost, best.lower_bound);
+  return nda::check(problem, best).passed() ? 0 : 1;
 }

@@ -25,7 +25,8 @@ struct CheckReport {
 };
 
 /// Checks a solution with code of its own: shares nothing with the solver but the two types.
-/// O(A N).  Never throws on a wrong solution.
+/// O(A N).  Never throws on a wrong solution.  A claim that the bounds deny is a fault too: optimal
+/// or proven with a gap, infeasible with a solution.
 CheckReport check(const Problem& problem, const Solution& solution);
 
 /// The certificate: sum u + sum over arcs and singletons of min(0, c_a - sum of u over a), rounded

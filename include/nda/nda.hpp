@@ -5,6 +5,7 @@
 #include "nda/assign2d.hpp"
 #include "nda/baselines.hpp"
 #include "nda/check.hpp"
+#include "nda/generate.hpp"
 #include "nda/io.hpp"
 #include "nda/options.hpp"
 #include "nda/problem.hpp"

@@ -94,7 +94,7 @@ struct Solution {
 
   /// cost - lower_bound; +inf when either is infinite.
   double gap() const;
-  /// gap / max(1e-9, |cost|).
+  /// gap / max(1e-9, |cost|); +inf when the gap is.
   double relative_gap() const;
 };
 

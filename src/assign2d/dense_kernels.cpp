@@ -74,6 +74,40 @@ LineOffers line_offers(const double* c, const double* price, std::uint32_t n) {
   return offers;
 }
 
+double line_least(const double* c, const double* price, std::uint32_t n, double* block_least) {
+  double least = kInfinity;
+  for (std::uint32_t begin = 0; begin < n; begin += kBlock) {
+    const double in_block = line_least(c + begin, price + begin, std::min(kBlock, n - begin));
+    block_least[begin / kBlock] = in_block;
+    least = in_block < least ? in_block : least;
+  }
+  return least;
+}
+
+double line_least(const double* c, const double* price, std::uint32_t n) {
+  double least[kLanes];
+  std::fill_n(least, kLanes, kInfinity);
+  std::uint32_t j = 0;
+  for (; j + kLanes <= n; j += kLanes) {
+    for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+      const double offer = c[j + lane] - price[j + lane];
+      least[lane] = offer < least[lane] ? offer : least[lane];
+    }
+  }
+  for (; j < n; ++j) least[0] = std::min(least[0], c[j] - price[j]);
+  return *std::min_element(least, least + kLanes);
+}
+
+void lower_line(const double* __restrict c,
+                double potential,
+                std::uint32_t n,
+                double* __restrict bound) {
+  for (std::uint32_t j = 0; j < n; ++j) {
+    const double offer = c[j] - potential;
+    bound[j] = offer < bound[j] ? offer : bound[j];
+  }
+}
+
 double relax_line(const double* c,
                   const double* price,
                   double offset,

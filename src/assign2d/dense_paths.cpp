@@ -67,14 +67,13 @@ BidOutcome bid_once(const DensePhase& phase, std::uint32_t i) {
 }  // namespace
 
 void DensePaths::resize(std::size_t n) {
-  const std::size_t blocks = (n + kBlock - 1) / kBlock;
   waiting_.reserve(n);
   settled_.reserve(n);
   settled_at_.reserve(n);
   price_.reserve(n);
   distance_.reserve(n);
   if (from_.size() < n) from_.resize(n);
-  if (block_least_.size() < blocks) block_least_.resize(blocks);
+  if (block_least_.size() < num_blocks(n)) block_least_.resize(num_blocks(n));
 }
 
 void DensePaths::list_wanting(const DensePhase& phase) {

@@ -12,11 +12,9 @@
 namespace nda::lap {
 
 void DenseSolver::match_tight_pairs(const DenseProblem& problem, Assign2dResult& result) const {
-  const DenseView view{problem.cost.data(), problem.column_outside.size()};
-  const std::uint32_t num_columns = static_cast<std::uint32_t>(problem.column_outside.size());
-  for (std::uint32_t i = 0; i < problem.row_outside.size(); ++i) {
-    const double* c = view.line(i);
-    const LineOffers best = line_offers(c, result.v.data(), num_columns);
+  for (std::uint32_t i = 0; i < problem.num_rows(); ++i) {
+    const double* c = problem.line(i);
+    const LineOffers best = line_offers(c, result.v.data(), problem.num_columns());
     const double least = std::min(best.first, problem.row_outside[i]);
     const std::int32_t former = result.column_of_row[i];
     std::uint32_t j = best.first < problem.row_outside[i] ? best.at : kNone;
@@ -45,29 +43,19 @@ bool DenseSolver::serve(const DenseProblem& problem, Assign2dResult& result) {
 
 void DenseSolver::solve_matrix(const DenseProblem& problem, Assign2dResult& result, bool warm) {
   const DenseView view{problem.cost.data(), problem.column_outside.size()};
-  paths_.resize(std::max(problem.row_outside.size(), problem.column_outside.size()));
-  start(view, problem.cost, problem.row_outside, problem.column_outside, result, warm);
+  paths_.resize(std::max(problem.num_rows(), problem.num_columns()));
+  start(view,
+        problem.cost,
+        problem.row_outside,
+        problem.column_outside,
+        ColdStart::kColumnsSatisfied,
+        result,
+        warm);
   match_tight_pairs(problem, result);
   const bool feasible = serve(problem, result);
   finish(problem.row_outside, problem.column_outside, feasible, result, [&](std::uint32_t i) {
-    return view.line(i)[result.column_of_row[i]];
+    return problem.line(i)[result.column_of_row[i]];
   });
-}
-
-void DenseSolver::do_solve(const Assign2dProblem& problem, Assign2dResult& result, bool warm) {
-  const std::size_t size = std::size_t{problem.num_rows()} * problem.num_columns();
-  std::span<const double> cost = problem.cost;
-  if (cost.size() < size) {
-    matrix_.assign(size, kInfinity);
-    for (std::uint32_t i = 0; i < problem.num_rows(); ++i) {
-      double* line = matrix_.data() + std::size_t{i} * problem.num_columns();
-      for (std::uint32_t k = problem.row_start[i]; k < problem.row_start[i + 1]; ++k) {
-        line[problem.column[k]] = problem.cost[k];
-      }
-    }
-    cost = matrix_;
-  }
-  solve_matrix({cost, problem.row_outside, problem.column_outside}, result, warm);
 }
 
 }  // namespace nda::lap

@@ -4,6 +4,7 @@
 #include <limits>
 #include <span>
 
+#include "assign2d/dense_kernels.hpp"
 #include "nda/assign2d.hpp"
 
 // Namespace lap (linear assignment problem): a namespace assign2d would clash with the function.
@@ -50,9 +51,21 @@ struct RowView {
 
   double cost(std::uint32_t k) const { return costs[k]; }
   std::uint32_t pair(std::uint32_t k) const { return k; }
-  template <class Action>
-  void for_each_pair(std::uint32_t i, const Action& action) const {
-    for (std::uint32_t k = start[i]; k < start[i + 1]; ++k) action(partner[k], costs[k]);
+  /// The least c_ij - price_j of member i; +inf if it has no pairs.
+  double least_offer(std::uint32_t i, std::span<const double> price) const {
+    double least = kInfinity;
+    for (std::uint32_t k = start[i]; k < start[i + 1]; ++k) {
+      const double offer = costs[k] - price[partner[k]];
+      least = offer < least ? offer : least;
+    }
+    return least;
+  }
+  /// bound_j = min(bound_j, c_ij - potential) over the pairs of member i.
+  void lower_bounds(std::uint32_t i, double potential, std::span<double> bound) const {
+    for (std::uint32_t k = start[i]; k < start[i + 1]; ++k) {
+      const double offer = costs[k] - potential;
+      if (offer < bound[partner[k]]) bound[partner[k]] = offer;
+    }
   }
   static std::uint32_t row(std::uint32_t own, std::uint32_t /*other*/) { return own; }
 };
@@ -75,10 +88,11 @@ struct DenseView {
   std::size_t width;
 
   const double* line(std::uint32_t i) const { return costs + i * width; }
-  template <class Action>
-  void for_each_pair(std::uint32_t i, const Action& action) const {
-    const double* cost = line(i);
-    for (std::uint32_t j = 0; j < width; ++j) action(j, cost[j]);
+  double least_offer(std::uint32_t i, std::span<const double> price) const {
+    return line_least(line(i), price.data(), static_cast<std::uint32_t>(width));
+  }
+  void lower_bounds(std::uint32_t i, double potential, std::span<double> bound) const {
+    lower_line(line(i), potential, static_cast<std::uint32_t>(width), bound.data());
   }
 };
 

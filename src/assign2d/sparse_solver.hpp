@@ -11,6 +11,12 @@ namespace nda::lap {
 
 /// Shortest augmenting paths on the pairs as they are stored.
 class SparseSolver final : public Assign2dSolver {
+ public:
+  /// Room for problems of so many pairs and members of a side.
+  void reserve(std::size_t num_pairs, std::size_t num_members) {
+    transpose_.reserve(num_pairs, num_members);
+  }
+
  private:
   void do_solve(const Assign2dProblem& problem, Assign2dResult& result, bool warm) override;
   void match_tight_pairs(const Assign2dProblem& problem, Assign2dResult& result);

@@ -7,6 +7,11 @@
 
 namespace nda::lap {
 
+void Transpose::reserve(std::size_t num_pairs, std::size_t num_members) {
+  for (std::vector<std::uint32_t>* list : {&column_, &row_, &entry_}) list->reserve(num_pairs);
+  for (std::vector<std::uint32_t>* list : {&row_start_, &start_}) list->reserve(num_members + 2);
+}
+
 bool Transpose::remembers(const Assign2dProblem& problem) const {
   return start_.size() == problem.num_columns() + std::size_t{1} &&
          std::equal(problem.row_start.begin(),

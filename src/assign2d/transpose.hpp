@@ -13,6 +13,9 @@ namespace nda::lap {
 /// order of magnitude cheaper than sorting it again.
 class Transpose {
  public:
+  /// Room for problems of so many pairs and members.
+  void reserve(std::size_t num_pairs, std::size_t num_members);
+
   /// The problem by columns, rows ascending.  Valid until the next call and while `problem` lives.
   /// O(A + n) with a small constant for the remembered pattern.
   ColumnView view(const Assign2dProblem& problem);

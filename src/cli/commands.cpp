@@ -9,6 +9,7 @@ constexpr Command kCommands[] = {
     {"info", "sizes, components and what the cost shift leaves of a problem", declare_info},
     {"convert", "read a problem in one format and write it in another", declare_convert},
     {"generate", "make a problem of a benchmark family", declare_generate},
+    {"compare", "one table: every method on the same files", declare_compare},
 };
 
 }  // namespace

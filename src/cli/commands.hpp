@@ -11,5 +11,6 @@ Action declare_check(CLI::App& parser);
 Action declare_info(CLI::App& parser);
 Action declare_convert(CLI::App& parser);
 Action declare_generate(CLI::App& parser);
+Action declare_compare(CLI::App& parser);
 
 }  // namespace nda::cli

@@ -5,12 +5,6 @@
 #include <cstdio>
 
 namespace nda::cli {
-namespace {
-
-constexpr double kInterval_s = 0.1;
-
-}  // namespace
-
 void ProgressLog::operator()(const Progress& progress) {
   const double gap =
       (progress.cost - progress.lower_bound) / std::max(1e-9, std::abs(progress.cost));
@@ -19,7 +13,7 @@ void ProgressLog::operator()(const Progress& progress) {
       !(closed && progress.components_done == progress.num_components)) {
     return;
   }
-  next_seconds_ = progress.seconds + kInterval_s;
+  next_seconds_ = progress.seconds + interval_s_;
   if (!started_)
     out_ << "   time (s)               cost        lower bound      gap %    done  event\n";
   started_ = true;

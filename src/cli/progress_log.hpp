@@ -7,15 +7,16 @@
 namespace nda::cli {
 
 /// Writes a solver log, one line at a time: seconds, cost, bound, gap, what found it.
-/// At most ten lines a second, but the first and those that close the gap always.
+/// At most one line every `interval_s` seconds, but the one that closes the gap always.
 class ProgressLog {
  public:
-  explicit ProgressLog(std::ostream& out) : out_(out) {}
+  ProgressLog(std::ostream& out, double interval_s) : out_(out), interval_s_(interval_s) {}
 
   void operator()(const Progress& progress);
 
  private:
   std::ostream& out_;
+  double interval_s_;
   double next_seconds_ = 0;
   bool started_ = false;
 };

@@ -21,6 +21,7 @@ struct SolveArguments {
   std::string output;
   double time_limit_s = kInfinity;
   double gap = -1;
+  double log_interval_s = 0.1;
   int threads = 1;
   std::uint64_t seed = 1;
   bool json = false;
@@ -136,7 +137,7 @@ int solve_file(const SolveArguments& arguments) {
   const Problem problem = read_problem(arguments.file);
   const double read_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  ProgressLog log(std::cerr);
+  ProgressLog log(std::cerr, arguments.log_interval_s);
   options.progress = [&](const Progress& progress) {
     if (!arguments.quiet && !arguments.json) log(progress);
     return interrupted == 0;
@@ -173,6 +174,9 @@ Action declare_solve(CLI::App& parser) {
                     "volume, coordinate");
   parser.add_option("--output,-o", arguments->output, "write the solution as JSON");
   parser.add_flag("--json", arguments->json, "print the JSON alone");
+  parser
+      .add_option("--log-interval", arguments->log_interval_s, "seconds between lines of the log")
+      ->check(CLI::NonNegativeNumber);
   parser.add_flag("--quiet,-q", arguments->quiet, "no solver log");
   parser.add_flag("--verbose,-v", arguments->verbose, "one line per component");
   parser.footer(

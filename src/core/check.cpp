@@ -29,6 +29,7 @@ std::string tuple_text(const std::vector<Index>& tuple) {
 
 bool close(double a, double b) {
   if (a == b) return true;
+  if (!std::isfinite(a) || !std::isfinite(b)) return false;
   return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b));
 }
 
@@ -156,12 +157,39 @@ void check_bound(const Problem& problem, const Solution& solution, CheckReport& 
     report.faults.push_back("lower bound " + number(solution.lower_bound) +
                             " is stated, the multipliers prove only " +
                             number(report.certificate_bound));
-  } else if (!solution.solutions.empty() && solution.lower_bound > report.cost &&
-             !close(solution.lower_bound, report.cost)) {
+  } else if (!(solution.lower_bound <= report.cost) && !close(solution.lower_bound, report.cost)) {
     report.bound_right = false;
     report.faults.push_back("lower bound " + number(solution.lower_bound) + " exceeds the cost " +
                             number(report.cost));
   }
+}
+
+// Where equal costs cannot be told from different ones: a billionth of the largest cost.
+double cost_tolerance(const Problem& problem, double cost) {
+  double largest = std::abs(cost);
+  for (const double c : problem.costs()) largest = std::max(largest, std::abs(c));
+  for (int k = 0; k < problem.num_dimensions(); ++k) {
+    for (const double c : problem.singleton_costs(k)) {
+      if (c < kInfinity) largest = std::max(largest, std::abs(c));
+    }
+  }
+  return 1e-9 * largest;
+}
+
+// What status and `proven` say must fit the two bounds (table in nda/solution.hpp).
+void check_claims(const Problem& problem, const Solution& solution, CheckReport& report) {
+  if (solution.status == Status::kInfeasible) {
+    if (!solution.solutions.empty()) {
+      report.faults.push_back("status infeasible is stated, yet there is a solution");
+    }
+    return;
+  }
+  if (solution.status != Status::kOptimal && !solution.proven) return;
+  if (solution.gap() <= cost_tolerance(problem, solution.cost)) return;
+  const std::string claim =
+      solution.proven ? "the cost is stated to be proven, yet" : "status optimal is stated, yet";
+  report.faults.push_back(claim + " the lower bound " + number(solution.lower_bound) +
+                          " does not meet it");
 }
 
 }  // namespace
@@ -177,6 +205,7 @@ CheckReport check(const Problem& problem, const Solution& solution) {
   }
   check_solutions(problem, solution, report);
   check_bound(problem, solution, report);
+  check_claims(problem, solution, report);
   return report;
 }
 
@@ -209,14 +238,17 @@ double certificate_bound(const Problem& problem,
       reduced.add(-multipliers[k][i - 1]);
       size += std::abs(multipliers[k][i - 1]);
     }
-    if (!reduced.negative()) continue;
+    // Where the sum may have overflown its sign says nothing.
+    if (!reduced.negative() && std::isfinite(size)) continue;
     add(reduced.high());
     add(reduced.low());
     magnitude += size;
   }
+  if (!std::isfinite(magnitude)) return -kInfinity;
   const double terms =
       static_cast<double>(problem.num_arcs() * (n + 2) + 3 * problem.num_indices());
   const double error = terms * 0x1p-100 * magnitude;
+  if (error == 0) return 0.0;
   bound.add(-error);
   return std::nextafter(bound.high(), -kInfinity);
 }

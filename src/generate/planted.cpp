@@ -41,7 +41,7 @@ class Planting {
     price_singletons(rows);
     plant(rows);
     for (std::size_t a = 0; a < options_.arcs; ++a) {
-      const std::vector<Index> tuple = draw_tuple();
+      const std::vector<Index> tuple = draw_tuple(centre_of(a));
       builder_.add_arc(tuple, generate::from_micro(sum_of_multipliers(tuple) + slack()));
     }
     const Micro optimum = total();
@@ -112,10 +112,14 @@ class Planting {
     }
   }
 
-  std::vector<Index> draw_tuple() {
+  // Centres run evenly through the indices, so the arcs come nearly sorted and build fast.
+  std::int64_t centre_of(std::size_t a) const {
+    return 1 + static_cast<std::int64_t>(a * options_.size / options_.arcs);
+  }
+
+  std::vector<Index> draw_tuple(std::int64_t centre) {
     std::vector<Index> tuple(num_dimensions_, 0);
     do {
-      const std::int64_t centre = draw_.integer(1, options_.size);
       for (Index& index : tuple) {
         index = draw_.uniform() < options_.miss_rate ? 0 : draw_index(centre);
       }

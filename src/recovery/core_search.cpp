@@ -54,8 +54,9 @@ Packing search_core(const Component& component,
     a = static_cast<ArcId>(std::lower_bound(arcs.begin(), arcs.end(), a) - arcs.begin());
   }
   if (packing.arcs.empty()) packing = dual_greedy(core, core_u);
+  const std::size_t size = std::min(core.num_indices(), core.num_arcs());
   const std::int64_t kicks =
-      std::int64_t{options.kicks_per_index} * static_cast<std::int64_t>(core.num_indices());
+      std::int64_t{options.kicks_per_index} * static_cast<std::int64_t>(size);
   LocalSearch(core, core_u).improve(packing, kicks, options.goal, random, deadline);
   if (packing.cost >= start.cost) return start;
   for (ArcId& a : packing.arcs) a = arcs[a];

@@ -14,11 +14,22 @@ namespace nda::recovery {
 
 using core::ArcId;
 
+namespace {
+
+// Mean accepted rise, relative to the mean cost of an arc, at the start and at the end of a cycle.
+constexpr double kHot = 0.2;
+constexpr double kCold = 0.002;
+constexpr std::int64_t kCycles = 4;
+
+}  // namespace
+
 LocalSearch::LocalSearch(const core::Component& component, std::span<const double> u)
     : component_(component),
       slot_arcs_(component),
+      arc_slots_(component),
       state_(component),
-      reduced_(component.num_arcs()) {
+      reduced_(component.num_arcs()),
+      seen_(component.num_arcs(), 0) {
   for (ArcId a = 0; a < reduced_.size(); ++a) {
     reduced_[a] = std::max(0.0, core::reduced_cost(component, u, a));
   }
@@ -31,13 +42,35 @@ void LocalSearch::improve(core::Packing& packing,
                           core::Random& random,
                           const core::Deadline& deadline) {
   state_.assign(packing);
+  best_ = packing;
   descend(deadline);
+  keep_best();
+  anneal(kicks, goal, random, deadline);
+  if (best_.cost < packing.cost) packing = best_;
+}
+
+void LocalSearch::keep_best() {
+  if (state_.cost() < best_.cost - 1e-12 * std::abs(best_.cost)) best_ = state_.packing();
+}
+
+void LocalSearch::anneal(std::int64_t kicks,
+                         double goal,
+                         core::Random& random,
+                         const core::Deadline& deadline) {
+  if (best_.arcs.empty()) return;
+  const double hot = kHot * std::abs(best_.cost) / static_cast<double>(best_.arcs.size());
+  const std::int64_t cycle = std::max<std::int64_t>(1, kicks / kCycles);
+  double temperature = hot;
   for (std::int64_t kick = 0; kick < kicks; ++kick) {
-    if (state_.cost() <= goal || (kick % 64 == 0 && deadline.reached())) break;
-    try_force(static_cast<ArcId>(random.below(component_.num_arcs())));
+    if (kick % cycle == 0) state_.assign(best_);
+    if (kick % 64 == 0) {
+      if (best_.cost <= goal || deadline.reached()) return;
+      const double phase = static_cast<double>(kick % cycle) / static_cast<double>(cycle);
+      temperature = hot * std::pow(kCold / kHot, phase);
+    }
+    const ArcId a = static_cast<ArcId>(random.below(component_.num_arcs()));
+    if (try_force(a, -temperature * std::log(1 - random.uniform()))) keep_best();
   }
-  core::Packing result = state_.packing();
-  if (result.cost < packing.cost) packing = std::move(result);
 }
 
 void LocalSearch::descend(const core::Deadline& deadline) {
@@ -46,16 +79,16 @@ void LocalSearch::descend(const core::Deadline& deadline) {
     for (ArcId a = 0; a < component_.num_arcs(); ++a) {
       if (a % 256 == 0 && deadline.reached()) return;
       const double before = state_.cost();
-      if (try_force(a) && state_.cost() < before - 1e-12 * std::abs(before)) improved = true;
+      if (try_force(a, 0) && state_.cost() < before - 1e-12 * std::abs(before)) improved = true;
     }
   }
 }
 
-bool LocalSearch::try_force(ArcId a) {
+bool LocalSearch::try_force(ArcId a, double allowed_rise) {
   if (state_.contains(a)) return false;
   const double before = state_.cost();
   state_.conflicts(a, removed_);
-  if (hopeless(a)) return false;
+  if (hopeless(a, allowed_rise)) return false;
   inserted_.clear();
   freed_.clear();
   for (const ArcId b : removed_) {
@@ -65,28 +98,39 @@ bool LocalSearch::try_force(ArcId a) {
   state_.insert(a);
   inserted_.push_back(a);
   repair();
-  if (state_.cost() <= before) return true;
+  if (state_.cost() <= before + allowed_rise) return true;
   undo();
   return false;
 }
 
-bool LocalSearch::hopeless(ArcId a) const {
+bool LocalSearch::hopeless(ArcId a, double allowed_rise) const {
   double gain = 0;
   for (const ArcId b : removed_) gain += reduced_[b];
   core::for_each_slot(component_, a, [&](std::uint32_t slot) {
     if (state_.owner(slot) == kNoArc) gain += price_[slot];
   });
-  return reduced_[a] > gain * (1 + 1e-9);
+  return reduced_[a] > gain * (1 + 1e-9) + allowed_rise;
+}
+
+// Nine tenths of the time goes here; most arcs conflict early in their list.
+bool LocalSearch::fits(ArcId a) const {
+  for (const std::uint32_t slot : arc_slots_[a]) {
+    if (state_.owner(slot) != kNoArc) return false;
+  }
+  return true;
 }
 
 // Fills the freed slots with arcs that fit, the cheapest first.
 void LocalSearch::repair() {
   fitting_.clear();
+  ++num_repairs_;
   for (const std::uint32_t slot : freed_) {
     if (state_.owner(slot) != kNoArc) continue;
     for (const ArcId b : slot_arcs_[slot]) {
       if (component_.costs[b] >= 0) break;
-      if (state_.fits(b)) fitting_.push_back(b);
+      if (seen_[b] == num_repairs_) continue;
+      seen_[b] = num_repairs_;
+      if (fits(b)) fitting_.push_back(b);
     }
   }
   std::sort(fitting_.begin(), fitting_.end(), [&](ArcId a, ArcId b) {
@@ -94,7 +138,7 @@ void LocalSearch::repair() {
                                                       : a < b;
   });
   for (const ArcId b : fitting_) {
-    if (!state_.fits(b)) continue;
+    if (!fits(b)) continue;
     state_.insert(b);
     inserted_.push_back(b);
   }

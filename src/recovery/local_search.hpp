@@ -36,14 +36,21 @@ class LocalSearch {
                const core::Deadline& deadline);
 
  private:
-  bool try_force(core::ArcId a);
-  bool hopeless(core::ArcId a) const;
+  bool try_force(core::ArcId a, double allowed_rise);
+  bool hopeless(core::ArcId a, double allowed_rise) const;
+  bool fits(core::ArcId a) const;
   void repair();
   void undo();
   void descend(const core::Deadline& deadline);
+  void anneal(std::int64_t kicks,
+              double goal,
+              core::Random& random,
+              const core::Deadline& deadline);
+  void keep_best();
 
   const core::Component& component_;
   SlotArcs slot_arcs_;
+  ArcSlots arc_slots_;
   PackingState state_;
   std::vector<double> reduced_;  // [arc]
   std::vector<double> price_;    // [slot]: -u
@@ -51,6 +58,9 @@ class LocalSearch {
   std::vector<core::ArcId> inserted_;
   std::vector<core::ArcId> fitting_;
   std::vector<std::uint32_t> freed_;
+  std::vector<std::uint32_t> seen_;  // [arc]: number of the repair that looked at it last
+  std::uint32_t num_repairs_ = 0;
+  core::Packing best_;
 };
 
 }  // namespace nda::recovery

@@ -28,6 +28,15 @@ SlotArcs::SlotArcs(const Component& component) : start_(component.num_slots() + 
   }
 }
 
+ArcSlots::ArcSlots(const Component& component) {
+  start_.reserve(component.num_arcs() + 1);
+  start_.push_back(0);
+  for (ArcId a = 0; a < component.num_arcs(); ++a) {
+    for_each_slot(component, a, [&](std::uint32_t slot) { slots_.push_back(slot); });
+    start_.push_back(static_cast<std::uint32_t>(slots_.size()));
+  }
+}
+
 bool PackingState::fits(ArcId a) const {
   for (int k = 0; k < component_.num_dimensions(); ++k) {
     if (component_.index(k, a) != 0 && owner_[component_.slot(k, a)] != kNoArc) return false;

@@ -22,6 +22,20 @@ class SlotArcs {
   std::vector<core::ArcId> arcs_;
 };
 
+/// For every arc its slots of real indices, side by side in memory.  4 bytes per (arc, real index).
+class ArcSlots {
+ public:
+  explicit ArcSlots(const core::Component& component);
+
+  std::span<const std::uint32_t> operator[](core::ArcId a) const {
+    return std::span(slots_).subspan(start_[a], start_[a + 1] - start_[a]);
+  }
+
+ private:
+  std::vector<std::uint32_t> start_;
+  std::vector<std::uint32_t> slots_;
+};
+
 /// No arc.
 inline constexpr core::ArcId kNoArc = ~core::ArcId{0};
 

@@ -171,12 +171,13 @@ void DualFunction::use(ArcId a, std::span<double> subgradient) {
   }
 }
 
-void DualFunction::multipliers(std::span<const double> u, std::span<double> all) const {
-  std::fill(all.begin(), all.end(), 0.0);
+void DualFunction::multipliers(std::span<double> all) const {
   const Assign2dResult& result = assignment_->result;
   std::copy(result.u.begin(), result.u.end(), all.begin() + component_.offset[0] + 1);
   std::copy(result.v.begin(), result.v.end(), all.begin() + component_.offset[1] + 1);
-  for (std::size_t j = 0; j < u.size(); ++j) all[first_slot_ + j] = std::min(0.0, u[j]);
+  for (std::size_t slot = first_slot_; slot < num_slots_; ++slot) {
+    all[slot] = std::min(0.0, slot_u_[slot]);
+  }
   for (const std::uint32_t dummy : component_.offset) all[dummy] = 0.0;
 }
 

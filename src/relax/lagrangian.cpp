@@ -35,7 +35,7 @@ class Loop {
     if (iterate.value > best_value_) {
       best_value_ = iterate.value;
       best_point_.assign(iterate.point.begin(), iterate.point.end());
-      function_.multipliers(iterate.point, best_multipliers_);
+      function_.multipliers(best_multipliers_);
     }
     if (options_.recovery_interval > 0 &&
         (result_.evaluations - 1) % options_.recovery_interval == 0) {
@@ -86,6 +86,7 @@ LagrangianResult maximize_dual(const Component& component,
   dual::MaximizeOptions limits;
   limits.max_evaluations = options.max_evaluations;
   limits.relative_tolerance = options.relative_tolerance;
+  limits.bundle_size = options.bundle_size;
   limits.target = options.goal;
   // Near the optimum the gap is the right size of a first step; from 0 the method's own guess is
   // better.

@@ -18,6 +18,7 @@ struct LagrangianOptions {
   DualMethod dual_method = DualMethod::kBundleTrust;
   Assign2dMethod assign2d = Assign2dMethod::kShortestPath;
   int max_evaluations = 100;
+  int bundle_size = 40;  ///< subgradients that the bundle keeps
   double relative_tolerance = 1e-7;
   int recovery_interval =
       1;  ///< recover at evaluations 1, 1 + interval, ...; 0 = only at the best point, at the end

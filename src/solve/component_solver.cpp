@@ -11,6 +11,7 @@
 #include "decompose/reduced_cost_fixing.hpp"
 #include "recovery/core_search.hpp"
 #include "recovery/greedy.hpp"
+#include "recovery/recovery.hpp"
 #include "recovery/recursive.hpp"
 #include "relax/lagrangian.hpp"
 
@@ -29,6 +30,13 @@ constexpr std::int64_t kEnumerationNodes = 200000;
 constexpr int kFeasibleSweeps = 3;
 // The second round searches so many times longer than the first.
 constexpr int kFinishEffort = 10;
+constexpr int kWideEffort = 100;
+constexpr double kWideGap = 0.02;
+constexpr int kSharpenRounds = 8;
+constexpr int kSharpenEvaluations = 500;
+constexpr int kSharpenBundle = 100;
+// A round that leaves more than this share of the gap is the last.
+constexpr double kWorthwhile = 0.97;
 
 relax::LagrangianOptions loop_options(const Options& options, const core::Deadline& deadline) {
   relax::LagrangianOptions loop;
@@ -106,6 +114,9 @@ void ComponentSolver::finish(double allowed_gap) {
   }
   if (close_enough(allowed_gap) || deadline_.reached()) return;
   search(kFinishEffort);
+  sharpen(allowed_gap);
+  // With a gap that wide the tree is hopeless; better solutions are not.
+  if (state_.best.cost - state_.lower > kWideGap * std::abs(state_.best.cost)) search(kWideEffort);
   if (!close_enough(allowed_gap)) branch(allowed_gap);
 }
 
@@ -118,11 +129,8 @@ void ComponentSolver::solve_assignment() {
       relax::maximize_dual(component_, {}, loop, [&](const relax::DualFunction& point) {
         return recovery::recover_recursively(component_, point, options_.relaxation, deadline_);
       });
-  ++state_.evaluations;
   offer(result.best, "assignment");
-  state_.u = std::move(result.u);
-  state_.certificate = result.lower;
-  raise_bound(result.lower, "assignment");
+  accept_dual(std::move(result), "assignment");
 }
 
 void ComponentSolver::enumerate() {
@@ -139,9 +147,7 @@ void ComponentSolver::enumerate() {
   loop.max_evaluations = options_.branch.node_evaluations;
   loop.goal = state_.best.cost - precision_.error;
   relax::LagrangianResult dual = relax::maximize_dual(component_, u, loop, {});
-  state_.evaluations += dual.evaluations;
-  state_.u = std::move(dual.u);
-  state_.certificate = dual.lower;
+  accept_dual(std::move(dual), "enumeration");
   raise_bound(state_.best.cost - precision_.error, "enumeration");
 }
 
@@ -151,20 +157,39 @@ void ComponentSolver::relax() {
   loop.max_evaluations = options_.relaxation.max_evaluations;
   loop.recovery_interval = options_.relaxation.recovery_interval;
   loop.goal = cutoff();
+  const auto recovery = recovery::make_recovery(
+      options_.relaxation.recovery, component_, options_.relaxation, deadline_);
   const auto recover = [&](const relax::DualFunction& point) {
-    Packing packing =
-        recovery::recover_recursively(component_, point, options_.relaxation, deadline_);
-    offer(packing, "recovery");
+    Packing packing = recovery->recover(point);
+    offer(packing, recovery->name());
     return packing;
   };
-  relax::LagrangianResult result = relax::maximize_dual(component_, {}, loop, recover);
+  accept_dual(relax::maximize_dual(component_, {}, loop, recover), "relaxation");
+}
+
+// The first rounds of the dual method are for all components alike; where a gap is left, a larger
+// bundle goes on from their multipliers as long as a round is worth its time.  Fixing makes every
+// bit count twice.
+void ComponentSolver::sharpen(double allowed_gap) {
+  for (int round = 0; round < kSharpenRounds && !close_enough(allowed_gap); ++round) {
+    const double gap = state_.best.cost - state_.lower;
+    relax::LagrangianOptions loop = loop_options(options_, deadline_);
+    loop.max_evaluations = kSharpenEvaluations;
+    loop.bundle_size = kSharpenBundle;
+    loop.recovery_interval = 0;
+    loop.goal = cutoff();
+    accept_dual(relax::maximize_dual(component_, state_.u, loop, {}), "sharpened bound");
+    if (deadline_.reached() || state_.best.cost - state_.lower > kWorthwhile * gap) return;
+  }
+}
+
+void ComponentSolver::accept_dual(relax::LagrangianResult result, const char* event) {
   state_.evaluations += result.evaluations;
   state_.recoveries += result.recoveries;
-  if (result.lower > state_.certificate) {
-    state_.u = std::move(result.u);
-    state_.certificate = result.lower;
-    raise_bound(result.lower, "relaxation");
-  }
+  if (result.lower <= state_.certificate) return;
+  state_.u = std::move(result.u);
+  state_.certificate = result.lower;
+  raise_bound(result.lower, event);
 }
 
 void ComponentSolver::search(int effort) {

@@ -8,6 +8,7 @@
 #include "core/shift.hpp"
 #include "nda/options.hpp"
 #include "nda/solution.hpp"
+#include "relax/lagrangian.hpp"
 #include "solve/monitor.hpp"
 
 namespace nda::pipeline {
@@ -64,6 +65,8 @@ class ComponentSolver {
   void enumerate();
   void relax();
   void search(int effort);
+  void sharpen(double allowed_gap);
+  void accept_dual(relax::LagrangianResult result, const char* event);
   void branch(double allowed_gap);
   bool offer(const core::Packing& packing, const char* event);
   void raise_bound(double lower, const char* event);

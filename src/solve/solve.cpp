@@ -199,8 +199,14 @@ class Pipeline {
   void merge_bounds(Solution& solution) const {
     solution.stats.certificate_bound = certificate_bound(problem_, solution.multipliers);
     double error = 0;
-    for (const Part& part : parts_) error += part.solver->precision().error;
-    const double branched = total(&lower_bound) - error;
+    bool complete = true;
+    for (const Part& part : parts_) {
+      error += part.solver->precision().error;
+      complete = complete && part.solver->state().complete;
+    }
+    // Integer costs: a proof to less than 1 is a proof to 0.
+    const bool exact = complete && grid_.exact && !solution.solutions.empty() && error < 0.5;
+    const double branched = exact ? solution.cost : total(&lower_bound) - error;
     solution.lower_bound = std::max(solution.stats.certificate_bound, branched);
     if (!solution.solutions.empty())
       solution.lower_bound = std::min(solution.lower_bound, solution.cost);

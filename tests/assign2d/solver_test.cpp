@@ -9,6 +9,7 @@
 #include "assign2d/auction.hpp"
 #include "assign2d/brute_force.hpp"
 #include "assign2d/certificate.hpp"
+#include "assign2d/core_solver.hpp"
 #include "assign2d/dense_solver.hpp"
 #include "assign2d/instances.hpp"
 #include "assign2d/network_simplex.hpp"
@@ -261,6 +262,7 @@ TEST_P(Assign2dSolvers, AllocateNothingOnceWarm) {
 const Implementation kImplementations[] = {
     {"Sparse", make<lap::SparseSolver>, true},
     {"Dense", make<lap::DenseSolver>, true},
+    {"Core", make<lap::CoreSolver>, true},
     {"ShortestPath", make<lap::ShortestPathSolver>, true},
     {"Auction", make<lap::AuctionSolver>, true},
     {"NetworkSimplex", make<lap::NetworkSimplexSolver>, false},

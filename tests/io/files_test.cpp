@@ -140,6 +140,16 @@ TEST(Files, ThatCannotBeWrittenAreNamed) {
             (folder / ".") + ": cannot write: Is a directory");
 }
 
+TEST(Files, StartWithTheirComments) {
+  WriteOptions options;
+  options.comments = {"made by hand", "optimum -3.5"};
+  std::ostringstream file;
+  write_problem(parse_problem(kText), file, options);
+  EXPECT_EQ(file.str(), "c made by hand\nc optimum -3.5\n" + kText);
+  options.comments = {"one\ntwo"};
+  EXPECT_THROW(write_problem(parse_problem(kText), file, options), InputError);
+}
+
 // Public instances that the repository does not hold: every arc file must be readable.
 TEST(Files, OfTheSharedCollectionAreReadable) {
   const std::filesystem::path collection = NDA_SHARED_DATA "/arcs";

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "support/matchers.hpp"
 #include "support/random_problems.hpp"
 #include "support/tiny_problems.hpp"

@@ -1,0 +1,251 @@
+#include "mip/methods.hpp"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+
+#include "core/clock.hpp"
+#include "mip/external_solver.hpp"
+#include "nda/baselines.hpp"
+#include "nda/check.hpp"
+#include "nda/solve.hpp"
+
+// One table per kind says what there is; choose_methods() turns its lines into Contenders.  What a
+// method returns is verified here, after its clock has stopped: our own answers with the whole of
+// check(), bound included; those of the baselines for feasibility and cost; the external ones are
+// verified by their adapter.
+
+namespace nda::mip {
+namespace {
+
+constexpr std::size_t kEnumerationMaxArcs = 1000;
+
+Options relaxation_by(DualMethod dual_method) {
+  Options options;
+  options.method = Method::kRelaxation;
+  options.branch.exact_arcs = 0;
+  options.relaxation.dual_method = dual_method;
+  return options;
+}
+
+Options enumeration() {
+  Options options;
+  options.method = Method::kExact;
+  return options;
+}
+
+struct NdaMethod {
+  const char* name;
+  const char* about;
+  Options (*options)();
+};
+
+const NdaMethod kNdaMethods[] = {
+    {"default", "preset default", [] { return preset("default"); }},
+    {"exact", "preset exact", [] { return preset("exact"); }},
+    {"realtime", "preset realtime, with its own time limit", [] { return preset("realtime"); }},
+    {"enumeration", "branch and bound from the start (at most 1000 arcs)", enumeration},
+    {"relaxation",
+     "relaxation and recovery alone, dual by the bundle method",
+     [] { return relaxation_by(DualMethod::kBundleTrust); }},
+    {"volume",
+     "the same, dual by the volume algorithm",
+     [] { return relaxation_by(DualMethod::kVolume); }},
+    {"subgradient",
+     "the same, dual by subgradient steps",
+     [] { return relaxation_by(DualMethod::kSubgradient); }},
+};
+
+struct Baseline {
+  const char* name;
+  const char* about;
+  BaselineResult (*solve)(const Problem&);
+  bool exact;
+};
+
+const Baseline kBaselines[] = {
+    {"greedy", "always the cheapest arc that fits", solve_greedy, false},
+    {"random-greedy",
+     "best of 100 greedy constructions with random choices",
+     [](const Problem& problem) { return solve_randomized_greedy(problem); },
+     false},
+    {"max-regret", "always the index that loses most by waiting", solve_max_regret, false},
+    {"sgts",
+     "semi-greedy track selection",
+     [](const Problem& problem) { return solve_sgts(problem); },
+     false},
+    {"brute-force", "all solutions (at most 64 arcs and 64 indices)", solve_brute_force, true},
+};
+
+std::string more_than(std::size_t limit, const char* what) {
+  return "more than " + std::to_string(limit) + " " + what;
+}
+
+Solution as_solution(const Problem& problem, BaselineResult result) {
+  Solution solution;
+  solution.sizes.assign(problem.sizes().begin(), problem.sizes().end());
+  solution.cost = result.cost;
+  solution.solutions.push_back({1, result.cost, false, std::move(result.arcs)});
+  return solution;
+}
+
+MethodResult run_nda(const Problem& problem, Options options, const RunLimits& limits) {
+  options.relative_gap = 0;
+  options.num_threads = 1;
+  options.time_limit_s = std::min(options.time_limit_s, limits.time_limit_s);
+  options.stop = limits.stop;
+  MethodResult result;
+  const core::Stopwatch watch;
+  const Solution solution = solve(problem, options);
+  result.seconds = watch.seconds();
+  result.status = to_string(solution.status);
+  result.proven = solution.proven || solution.status == Status::kInfeasible;
+  result.bound = solution.lower_bound;
+  const CheckReport report = check(problem, solution);
+  if (!report.passed()) {
+    result.faulty = true;
+    result.note = report.faults.front();
+  }
+  if (!solution.solutions.empty() && report.feasible) result.cost = report.cost;
+  return result;
+}
+
+MethodResult run_baseline(const Problem& problem, const Baseline& baseline) {
+  MethodResult result;
+  const core::Stopwatch watch;
+  BaselineResult found = baseline.solve(problem);
+  result.seconds = watch.seconds();
+  result.proven = baseline.exact;
+  result.status = baseline.exact   ? found.feasible ? "optimal" : "infeasible"
+                  : found.feasible ? "heuristic"
+                                   : "no_solution";
+  if (!found.feasible) {
+    if (baseline.exact) result.bound = kInfinity;
+    return result;
+  }
+  const CheckReport report = check(problem, as_solution(problem, std::move(found)));
+  if (report.feasible && report.cost_right) {
+    result.cost = report.cost;
+    if (baseline.exact) result.bound = report.cost;
+  } else {
+    result.faulty = true;
+    result.note = report.faults.front();
+  }
+  return result;
+}
+
+MethodResult run_external(const ExternalSolver& solver,
+                          const Problem& problem,
+                          const RunLimits& limits) {
+  ExternalLimits external;
+  external.time_limit_s = limits.time_limit_s;
+  external.stop = limits.stop;
+  ExternalAnswer answer = solver.solve(problem, external);
+  MethodResult result;
+  result.status = to_string(answer.status);
+  result.proven =
+      answer.status == ExternalStatus::kOptimal || answer.status == ExternalStatus::kInfeasible;
+  result.cost = answer.cost;
+  result.bound = answer.bound;
+  result.bound_error = kExternalTolerance;
+  result.seconds = answer.seconds;
+  result.note = std::move(answer.note);
+  return result;
+}
+
+Contender make_contender(const NdaMethod& line) {
+  Contender method{line.name, MethodKind::kNda, line.about, {}, {}};
+  if (std::string(line.name) == "enumeration") {
+    method.unfit = [](const Problem& problem) {
+      return problem.num_arcs() > kEnumerationMaxArcs ? more_than(kEnumerationMaxArcs, "arcs")
+                                                      : std::string();
+    };
+  }
+  method.run = [&line](const Problem& problem, const RunLimits& limits) {
+    return run_nda(problem, line.options(), limits);
+  };
+  return method;
+}
+
+Contender make_contender(const Baseline& line) {
+  Contender method{line.name, MethodKind::kBaseline, line.about, {}, {}};
+  if (line.exact) {
+    method.unfit = [](const Problem& problem) {
+      if (problem.num_arcs() > kBruteForceMaxArcs) return more_than(kBruteForceMaxArcs, "arcs");
+      if (problem.num_indices() > kBruteForceMaxIndices) {
+        return more_than(kBruteForceMaxIndices, "indices");
+      }
+      return std::string();
+    };
+  }
+  method.run = [&line](const Problem& problem, const RunLimits&) {
+    return run_baseline(problem, line);
+  };
+  return method;
+}
+
+Contender make_contender(const ExternalKind& line, std::shared_ptr<const ExternalSolver> solver) {
+  Contender method{line.name, MethodKind::kExternal, line.about, {}, {}};
+  method.run = [solver](const Problem& problem, const RunLimits& limits) {
+    return run_external(*solver, problem, limits);
+  };
+  return method;
+}
+
+// Whether the names ask for this method.
+bool is_asked(const std::vector<std::string>& names, const char* name, MethodKind kind) {
+  return names.empty() || std::any_of(names.begin(), names.end(), [&](const std::string& asked) {
+           return asked == name || asked == to_string(kind);
+         });
+}
+
+void require_known(const std::vector<std::string>& names) {
+  std::vector<std::string> known = method_names();
+  std::string list;
+  for (const std::string& name : known) list += (list.empty() ? "" : ", ") + name;
+  for (const MethodKind kind : {MethodKind::kNda, MethodKind::kBaseline, MethodKind::kExternal}) {
+    known.push_back(to_string(kind));
+  }
+  for (const std::string& name : names) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    throw InputError("method '" + name + "' is not known; there are " + list +
+                     ", and the groups nda, baseline, external");
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> method_names() {
+  std::vector<std::string> names;
+  for (const NdaMethod& line : kNdaMethods) names.push_back(line.name);
+  for (const Baseline& line : kBaselines) names.push_back(line.name);
+  for (const ExternalKind& line : external_kinds()) names.push_back(line.name);
+  return names;
+}
+
+MethodChoice choose_methods(const std::vector<std::string>& names,
+                            const Surroundings& surroundings) {
+  require_known(names);
+  MethodChoice choice;
+  for (const NdaMethod& line : kNdaMethods) {
+    if (is_asked(names, line.name, MethodKind::kNda))
+      choice.methods.push_back(make_contender(line));
+  }
+  for (const Baseline& line : kBaselines) {
+    if (is_asked(names, line.name, MethodKind::kBaseline)) {
+      choice.methods.push_back(make_contender(line));
+    }
+  }
+  for (const ExternalKind& line : external_kinds()) {
+    if (!is_asked(names, line.name, MethodKind::kExternal)) continue;
+    if (std::shared_ptr<const ExternalSolver> solver = line.find(surroundings)) {
+      choice.methods.push_back(make_contender(line, std::move(solver)));
+    } else {
+      choice.missing.push_back(std::string(line.name) +
+                               " is not installed (Debian package: " + line.package + ")");
+    }
+  }
+  return choice;
+}
+
+}  // namespace nda::mip
