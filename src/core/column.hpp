@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -12,6 +13,11 @@ namespace nda::core {
 /// it.
 class Column {
  public:
+  using value_type = Index;
+  using const_reference = const Index&;
+  using const_iterator = const Index*;
+  using iterator = const_iterator;
+
   Column() = default;
   Column(const Column& other) : own_(other.own_), data_(other.data_), size_(other.size_) {
     if (!own_.empty()) data_ = own_.data();
@@ -43,11 +49,15 @@ class Column {
     size_ = own_.size();
   }
 
-  Index operator[](std::size_t a) const { return data_[a]; }
+  const Index& operator[](std::size_t a) const { return data_[a]; }
   const Index* data() const { return data_; }
   std::size_t size() const { return size_; }
   const Index* begin() const { return data_; }
   const Index* end() const { return data_ + size_; }
+
+  friend bool operator==(const Column& a, const Column& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end());
+  }
 
  private:
   std::vector<Index> own_;
