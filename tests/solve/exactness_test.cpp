@@ -73,8 +73,12 @@ void expect_agrees(const Problem& problem,
       1e-14 * magnitude(problem) + (truth ? 1e-9 * std::abs(truth->cost) : 0.0);
   if (!truth) {
     EXPECT_TRUE(solution.solutions.empty());
-    if (path.exact) EXPECT_EQ(solution.status, Status::kInfeasible);
-    if (solution.status == Status::kInfeasible) EXPECT_FALSE(solution.reason.empty());
+    if (path.exact) {
+      EXPECT_EQ(solution.status, Status::kInfeasible);
+    }
+    if (solution.status == Status::kInfeasible) {
+      EXPECT_FALSE(solution.reason.empty());
+    }
     return;
   }
   EXPECT_NE(solution.status, Status::kInfeasible);
