@@ -35,6 +35,13 @@ void append(Packing& packing, const Packing& more) {
   packing.cost += more.cost;
 }
 
+// What the search may miss: packings less than `skipped` better than the best are not looked for,
+// so that the best is proven to be within `missed` of the optimum.
+struct Slack {
+  double skipped;
+  double missed;
+};
+
 // One use of the branching index: an arc, or none (kNone), and what it costs in penalty.
 struct Use {
   double penalty;
@@ -46,34 +53,45 @@ class BranchAndBound {
   BranchAndBound(const Collaborators& collaborators, const BranchLimits& limits)
       : collaborators_(collaborators), limits_(limits) {}
 
-  SearchResult solve(const Component& component, std::span<const double> warm, double cutoff) {
-    if (component.num_arcs() == 0) return empty_component(cutoff);
-    if (component.num_arcs() <= limits_.enumeration_arcs) {
-      SearchResult result = enumerate_part(component, warm, cutoff);
-      if (result.complete || stopped()) return result;
-    }
-    ++nodes_;
-    SearchResult result;
-    if (stopped()) {
-      result.lower = sum(warm);
-      return result;
-    }
-    const NodeBound bound = collaborators_.bound(component, warm, cutoff);
-    if (bound.packing.cost < cutoff) accept(result, to_original(component, bound.packing), cutoff);
-    if (bound.lower >= cutoff) return finish(result, cutoff, kInfinity);
-    const Reduction reduction = collaborators_.reduce(component, bound, cutoff);
-    const bool whole = reduction.taken.arcs.empty() && reduction.parts.size() == 1 &&
-                       static_cast<double>(reduction.parts[0].num_arcs()) >
-                           kWholeShare * static_cast<double>(component.num_arcs());
-    SearchResult rest =
-        whole ? branch(reduction.parts[0], reduction.u[0], cutoff) : solve_parts(reduction, cutoff);
-    if (rest.found) accept(result, std::move(rest.best), cutoff);
-    return finish(result, cutoff, rest.complete ? kInfinity : rest.lower);
+  SearchResult run(const Component& component, std::span<const double> warm, double cutoff) {
+    const bool coarse = limits_.gap > limits_.margin;
+    return solve(component, warm, cutoff, coarse ? Slack{limits_.gap, limits_.gap} : exact());
   }
 
   std::int64_t nodes() const { return nodes_; }
 
  private:
+  Slack exact() const { return {limits_.margin, limits_.error}; }
+
+  SearchResult solve(const Component& component,
+                     std::span<const double> warm,
+                     double cutoff,
+                     const Slack& slack) {
+    if (component.num_arcs() == 0) return empty_component(cutoff);
+    SearchResult result;
+    if (stopped()) {
+      result.lower = sum(warm);
+      return result;
+    }
+    if (component.num_arcs() <= limits_.enumeration_arcs) {
+      SearchResult small = enumerate_part(component, warm, cutoff, slack);
+      if (small.complete || stopped()) return small;
+    }
+    ++nodes_;
+    const NodeBound bound = collaborators_.bound(component, warm, cutoff);
+    if (bound.packing.cost < cutoff)
+      accept(result, to_original(component, bound.packing), cutoff, slack);
+    if (bound.lower >= cutoff) return finish(result, cutoff, kInfinity, slack);
+    const Reduction reduction = collaborators_.reduce(component, bound, cutoff);
+    const bool whole = reduction.taken.arcs.empty() && reduction.parts.size() == 1 &&
+                       static_cast<double>(reduction.parts[0].num_arcs()) >
+                           kWholeShare * static_cast<double>(component.num_arcs());
+    SearchResult rest = whole ? branch(reduction.parts[0], reduction.u[0], cutoff, slack)
+                              : solve_parts(reduction, cutoff, slack);
+    if (rest.found) accept(result, std::move(rest.best), cutoff, slack);
+    return finish(result, cutoff, rest.complete ? kInfinity : rest.lower, slack);
+  }
+
   bool stopped() const { return nodes_ >= limits_.max_nodes || limits_.deadline.reached(); }
 
   static SearchResult empty_component(double cutoff) {
@@ -86,34 +104,35 @@ class BranchAndBound {
 
   SearchResult enumerate_part(const Component& component,
                               std::span<const double> u,
-                              double cutoff) {
+                              double cutoff,
+                              const Slack& slack) {
     const std::int64_t limit = std::min(limits_.enumeration_nodes, limits_.max_nodes - nodes_);
     SearchResult result = enumerate(component, u, cutoff, limit, limits_.deadline);
     nodes_ += result.nodes;
     if (result.found) {
       result.best = to_original(component, result.best);
-      if (result.complete) result.lower = result.best.cost - limits_.error;
+      if (result.complete) result.lower = result.best.cost - slack.missed;
     }
     return result;
   }
 
-  void accept(SearchResult& result, Packing packing, double& cutoff) const {
+  static void accept(SearchResult& result, Packing packing, double& cutoff, const Slack& slack) {
     result.found = true;
     result.best = std::move(packing);
-    cutoff = result.best.cost - limits_.margin;
+    cutoff = result.best.cost - slack.skipped;
   }
 
   // open: least lower bound of what was left unexplored, +inf if nothing.
-  SearchResult finish(SearchResult& result, double cutoff, double open) const {
+  static SearchResult finish(SearchResult& result, double cutoff, double open, const Slack& slack) {
     result.complete = open == kInfinity || open >= cutoff;
-    const double proven = result.found ? result.best.cost - limits_.error : cutoff;
+    const double proven = result.found ? result.best.cost - slack.missed : cutoff;
     result.lower = result.complete ? proven : std::min(proven, open);
     return std::move(result);
   }
 
   // Parts are independent: each is searched below what the bounds of the others leave of the
-  // cutoff.
-  SearchResult solve_parts(const Reduction& reduction, double cutoff) {
+  // cutoff.  What the parts miss adds up, so they are searched exactly.
+  SearchResult solve_parts(const Reduction& reduction, double cutoff, const Slack& slack) {
     const std::size_t num_parts = reduction.parts.size();
     std::vector<double> lower;
     for (const std::vector<double>& u : reduction.u) lower.push_back(sum(u));
@@ -129,10 +148,10 @@ class BranchAndBound {
     bool all_found = true;
     bool all_complete = true;
     for (const std::size_t p : order) {
-      if (total >= cutoff) return finish(result, cutoff, kInfinity);
+      if (total >= cutoff) return finish(result, cutoff, kInfinity, slack);
       const double budget = cutoff - (total - lower[p]);
-      const SearchResult part = solve(reduction.parts[p], reduction.u[p], budget);
-      if (part.complete && !part.found) return finish(result, cutoff, kInfinity);
+      const SearchResult part = solve(reduction.parts[p], reduction.u[p], budget, exact());
+      if (part.complete && !part.found) return finish(result, cutoff, kInfinity, slack);
       const double proven = std::max(lower[p], std::min(part.lower, budget));
       total += proven - lower[p];
       lower[p] = proven;
@@ -140,32 +159,39 @@ class BranchAndBound {
       all_found = all_found && part.found;
       if (part.found) append(packing, part.best);
     }
-    if (all_found && packing.cost < cutoff) accept(result, std::move(packing), cutoff);
-    return finish(result, cutoff, all_complete ? kInfinity : total);
+    if (all_found && packing.cost < cutoff) accept(result, std::move(packing), cutoff, slack);
+    return finish(result, cutoff, all_complete ? kInfinity : total, slack);
   }
 
-  SearchResult branch(const Component& component, std::span<const double> u, double cutoff) {
+  SearchResult branch(const Component& component,
+                      std::span<const double> u,
+                      double cutoff,
+                      const Slack& slack) {
     const double lower = sum(u);
     SearchResult result;
     double open = kInfinity;
     const std::uint32_t slot = choose_slot(component, u, cutoff - lower);
     // Without a paying index the packing that takes nothing costs sum u = 0 and is the best.
     if (slot == kNone) {
-      if (0 < cutoff) accept(result, Packing{}, cutoff);
-      return finish(result, cutoff, kInfinity);
+      if (0 < cutoff) accept(result, Packing{}, cutoff, slack);
+      return finish(result, cutoff, kInfinity, slack);
     }
     for (const Use& use : uses_of(component, u, slot)) {
       if (lower + use.penalty >= cutoff) break;
-      const SearchResult child = solve_child(component, u, slot, use.arc, cutoff);
+      if (stopped()) {
+        open = std::min(open, lower + use.penalty);
+        break;
+      }
+      const SearchResult child = solve_child(component, u, slot, use.arc, cutoff, slack);
       const double cost = use.arc == kNone ? 0.0 : component.costs[use.arc];
       if (!child.complete) open = std::min(open, std::max(lower + use.penalty, cost + child.lower));
       if (!child.found) continue;
       Packing packing = child.best;
       packing.cost += cost;
       if (use.arc != kNone) packing.arcs.push_back(core::original_arc(component, use.arc));
-      if (packing.cost < cutoff) accept(result, std::move(packing), cutoff);
+      if (packing.cost < cutoff) accept(result, std::move(packing), cutoff, slack);
     }
-    return finish(result, cutoff, open);
+    return finish(result, cutoff, open, slack);
   }
 
   // What is left of the component once `slot` is covered by `arc`, or left uncovered (kNone).
@@ -173,7 +199,8 @@ class BranchAndBound {
                            std::span<const double> u,
                            std::uint32_t slot,
                            ArcId arc,
-                           double cutoff) {
+                           double cutoff,
+                           const Slack& slack) {
     std::vector<bool> covered(component.num_slots(), false);
     covered[slot] = true;
     if (arc != kNone)
@@ -186,7 +213,7 @@ class BranchAndBound {
     }
     const Component child = cutter_.cut(component, live);
     const std::vector<double> child_u = core::restrict_slots(component, u, child);
-    return solve(child, child_u, cutoff - (arc == kNone ? 0.0 : component.costs[arc]));
+    return solve(child, child_u, cutoff - (arc == kNone ? 0.0 : component.costs[arc]), slack);
   }
 
   static std::vector<Use> uses_of(const Component& component,
@@ -236,7 +263,7 @@ SearchResult branch_and_bound(const Component& component,
                               const Collaborators& collaborators,
                               const BranchLimits& limits) {
   BranchAndBound search(collaborators, limits);
-  SearchResult result = search.solve(component, u, cutoff);
+  SearchResult result = search.run(component, u, cutoff);
   result.nodes = search.nodes();
   return result;
 }

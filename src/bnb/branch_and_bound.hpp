@@ -43,6 +43,7 @@ struct BranchLimits {
   double margin =
       0;  ///< only packings cheaper than the best by more than this are looked for; >= error
   double error = 0;  ///< rounding: two costs that differ by less are equal (docs/numerics.md)
+  double gap = 0;    ///< the best may miss the optimum by this; the bound then says so
   core::Deadline deadline;
 };
 
@@ -57,7 +58,7 @@ struct BranchLimits {
 ///
 /// On a grid of costs (core/shift.hpp) margin is nearly its step: nothing lies between the best
 /// cost and the next cheaper grid point, so a complete search proves best.cost - error, not
-/// best.cost - margin.
+/// best.cost - margin.  With a gap above the margin it proves best.cost - gap.
 SearchResult branch_and_bound(const core::Component& component,
                               std::span<const double> u,
                               double cutoff,

@@ -164,7 +164,8 @@ void check_bound(const Problem& problem, const Solution& solution, CheckReport& 
   }
 }
 
-// Where equal costs cannot be told from different ones: a billionth of the largest cost.
+// Where equal costs cannot be told from different ones: a billionth of the largest cost, or of 1 if
+// all are 0.
 double cost_tolerance(const Problem& problem, double cost) {
   double largest = std::abs(cost);
   for (const double c : problem.costs()) largest = std::max(largest, std::abs(c));
@@ -173,7 +174,7 @@ double cost_tolerance(const Problem& problem, double cost) {
       if (c < kInfinity) largest = std::max(largest, std::abs(c));
     }
   }
-  return 1e-9 * largest;
+  return 1e-9 * (largest > 0 ? largest : 1.0);
 }
 
 // What status and `proven` say must fit the two bounds (table in nda/solution.hpp).
@@ -244,6 +245,7 @@ double certificate_bound(const Problem& problem,
     add(reduced.low());
     magnitude += size;
   }
+  if (magnitude == 0) return 0;
   if (!std::isfinite(magnitude)) return -kInfinity;
   const double terms =
       static_cast<double>(problem.num_arcs() * (n + 2) + 3 * problem.num_indices());

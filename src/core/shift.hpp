@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/double_double.hpp"
 #include "nda/problem.hpp"
 
 namespace nda::core {
@@ -26,13 +27,13 @@ struct Shift {
 
 Shift make_shift(const Problem& problem);
 
-/// c'[a].
+/// c'[a], rounded once: charges may cancel, and then what is left of the cost decides.
 inline double shifted_cost(const Problem& problem, const Shift& shift, std::size_t a) {
-  double cost = problem.costs()[a];
+  DoubleDouble cost(problem.costs()[a]);
   for (int k = 0; k < problem.num_dimensions(); ++k) {
-    cost -= shift.base[static_cast<std::size_t>(k)][problem.indices(k)[a]];
+    cost.add(-shift.base[static_cast<std::size_t>(k)][problem.indices(k)[a]]);
   }
-  return cost;
+  return cost.high();
 }
 
 /// The spacing of the costs: every cost is a multiple of `step` up to one rounding error.

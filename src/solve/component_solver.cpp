@@ -98,8 +98,9 @@ ComponentSolver::ComponentSolver(const Component& component,
 void ComponentSolver::start() {
   if (deadline_.reached()) return;
   if (component_.num_dimensions() == 2) return solve_assignment();
-  if (component_.num_arcs() <= options_.branch.exact_arcs || options_.method == Method::kExact)
-    enumerate();
+  const bool small =
+      component_.num_arcs() <= options_.branch.exact_arcs || options_.method == Method::kExact;
+  if (small && options_.branch.max_nodes > 0) enumerate();
   if (state_.complete) return;
   offer(
       recovery::greedy_in_core(component_, state_.u, recovery::CoreSearchOptions{}.arcs_per_index),
@@ -138,8 +139,9 @@ void ComponentSolver::enumerate() {
   state_.method = "enumeration";
   std::vector<double> u = state_.u;
   for (int sweep = 1; sweep < kFeasibleSweeps; ++sweep) relax::make_feasible(component_, u);
+  const std::int64_t max_nodes = std::min(kEnumerationNodes, options_.branch.max_nodes);
   const bnb::SearchResult result =
-      bnb::enumerate(component_, u, precision_.margin, kEnumerationNodes, deadline_);
+      bnb::enumerate(component_, u, precision_.margin, max_nodes, deadline_);
   state_.nodes += result.nodes;
   if (result.found) offer(result.best, "enumeration");
   if (!result.complete) return;
@@ -233,12 +235,13 @@ void ComponentSolver::branch(double allowed_gap) {
   };
   collaborators.reduce = reduce;
   bnb::BranchLimits limits;
-  limits.max_nodes = options_.branch.max_nodes;
-  limits.margin = std::max(precision_.margin, allowed_gap);
-  // A coarser margin than the grid's leaves packings between it and the best unseen.
-  limits.error = allowed_gap <= precision_.margin ? precision_.error : limits.margin;
+  limits.max_nodes = options_.branch.max_nodes - state_.nodes;
+  limits.margin = precision_.margin;
+  limits.error = precision_.error;
+  limits.gap = allowed_gap;
   limits.deadline = deadline_;
-  const double cutoff = state_.best.cost - limits.margin;
+  const bool coarse = limits.gap > limits.margin;
+  const double cutoff = state_.best.cost - std::max(limits.margin, limits.gap);
   bnb::SearchResult result =
       bnb::branch_and_bound(component_, state_.u, cutoff, collaborators, limits);
   state_.nodes += result.nodes;
@@ -248,7 +251,8 @@ void ComponentSolver::branch(double allowed_gap) {
     packing.arcs = core::arcs_from_original(component_, result.best.arcs);
     offer(packing, "branch and bound");
   }
-  raise_bound(result.complete ? state_.best.cost - limits.error : std::min(result.lower, cutoff),
+  const double missed = coarse ? limits.gap : limits.error;
+  raise_bound(result.complete ? state_.best.cost - missed : std::min(result.lower, cutoff),
               "branch and bound");
   if (!result.complete) {
     state_.stopped = deadline_.interrupted() ? Status::kInterrupted

@@ -17,6 +17,9 @@ namespace nda::pipeline {
 struct Precision {
   double error = 0;   ///< rounding: costs that differ by less may be equal
   double margin = 0;  ///< a packing that is better at all is better by more than this; >= error
+
+  /// The costs lie on a grid so coarse that rounding hides no difference.
+  bool on_grid() const { return margin > error; }
 };
 
 /// error = 2^-50 * indices * largest |c'|, a bound on what any sum of costs or multipliers of the

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <memory>
 #include <numeric>
+#include <string>
 
 #include "core/clock.hpp"
 #include "core/component.hpp"
@@ -37,6 +39,43 @@ constexpr double kMergeSecondsPerArc = 1e-8;
 
 constexpr double kWholeShare = 0.9;
 
+// Beyond this sums and squares of costs might overflow.
+constexpr double kLargestCost = 1e100;
+
+// Calls note(|c|) for all arcs and finite singletons.
+template <typename Note>
+void for_each_cost(const Problem& problem, Note&& note) {
+  for (const double cost : problem.costs()) note(std::abs(cost));
+  for (int k = 0; k < problem.num_dimensions(); ++k) {
+    for (const double cost : problem.singleton_costs(k)) {
+      if (cost < kInfinity) note(std::abs(cost));
+    }
+  }
+}
+
+double largest_cost(const Problem& problem) {
+  double largest = 0;
+  for_each_cost(problem, [&](double size) { largest = std::max(largest, size); });
+  return largest;
+}
+
+std::string figure_text(double figure) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", figure);
+  return text;
+}
+
+// The answer where nothing can be computed.
+Solution overflow(const Problem& problem, double largest) {
+  Solution solution;
+  solution.sizes.assign(problem.sizes().begin(), problem.sizes().end());
+  solution.num_arcs = problem.num_arcs();
+  solution.status = Status::kPrecisionLost;
+  for (const Index size : problem.sizes()) solution.multipliers.emplace_back(size, 0.0);
+  solution.reason = "costs as large as " + figure_text(largest) + " overflow, scale them";
+  return solution;
+}
+
 // One component and its solver, kept between the rounds.
 struct Part {
   Component component;
@@ -58,12 +97,12 @@ class Pipeline {
     parts_.resize(partition_.num_components());
     Monitor monitor(options_.progress, shift_.constant, parts_.size(), stop_);
     for_all_parts([&](std::size_t p) { start(p, monitor); });
-    const double gap = options_.relative_gap * std::abs(total(&best_cost));
+    const double gap = allowed_gap();
     const double open = total(&best_cost) - total(&lower_bound);
     for_all_parts([&](std::size_t p) {
       const ComponentState& state = parts_[p].solver->state();
       const double share = open > 0 ? (state.best.cost - state.lower) / open : 0.0;
-      parts_[p].solver->finish(gap * share);
+      parts_[p].solver->finish(share > 0 ? gap * share : 0.0);
     });
     return merge();
   }
@@ -115,12 +154,27 @@ class Pipeline {
                problem_.sizes().end();
   }
 
+  // The absolute gap that may stay open.  The final cost lies between the bounds of now, so it is
+  // relative to the smallest cost in size among these; rounding takes its part of it.
+  double allowed_gap() const {
+    const double best = total(&best_cost);
+    const double lower = total(&lower_bound);
+    const double least = best < 0 ? -best : std::max(0.0, lower);
+    if (least == 0) return 0;
+    double rounding = 0;
+    for (const Part& part : parts_) rounding += 2 * part.solver->precision().error;
+    return std::max(0.0, options_.relative_gap * least - rounding);
+  }
+
   static double best_cost(const ComponentState& state) { return state.best.cost; }
   static double lower_bound(const ComponentState& state) { return state.lower; }
 
   // Constant plus the sum of one figure over all components.
   double total(double (*figure)(const ComponentState&)) const {
-    core::DoubleDouble sum(shift_.constant);
+    core::DoubleDouble sum;
+    for (const std::vector<double>& row : shift_.base) {
+      for (const double charge : row) sum.add(charge);
+    }
     for (const Part& part : parts_) sum.add(figure(part.solver->state()));
     return sum.high();
   }
@@ -215,18 +269,19 @@ class Pipeline {
   void merge_bounds(Solution& solution) const {
     solution.stats.certificate_bound = certificate_bound(problem_, solution.multipliers);
     double error = 0;
-    bool complete = true;
+    bool exact = !solution.solutions.empty();
     for (const Part& part : parts_) {
       error += part.solver->precision().error;
-      complete = complete && part.solver->state().complete;
+      exact = exact && part.solver->state().complete && part.solver->precision().on_grid();
     }
-    // Integer costs: a proof to less than 1 is a proof to 0.
-    const bool exact = complete && grid_.exact && !solution.solutions.empty() && error < 0.5;
-    const double branched = exact ? solution.cost : total(&lower_bound) - error;
+    // On a grid a proof to less than a step is a proof of the cost, but for the rounding that put
+    // the costs beside their grid points.
+    const double branched = exact ? solution.cost - off_grid() : total(&lower_bound) - error;
     solution.lower_bound = std::max(solution.stats.certificate_bound, branched);
     if (!solution.solutions.empty())
       solution.lower_bound = std::min(solution.lower_bound, solution.cost);
-    solution.stats.bound_by_branching = solution.lower_bound > solution.stats.certificate_bound;
+    const double excess = solution.lower_bound - solution.stats.certificate_bound;
+    solution.stats.bound_by_branching = excess > 1e-9 * std::abs(solution.lower_bound);
   }
 
   void set_status(Solution& solution) const {
@@ -235,7 +290,7 @@ class Pipeline {
     double error = 0;
     for (const Part& part : parts_) {
       const ComponentState& state = part.solver->state();
-      error += 2 * part.solver->precision().error;
+      if (!part.solver->precision().on_grid()) error += 2 * part.solver->precision().error;
       complete = complete && state.complete;
       if (!state.complete && state.stopped != Status::kOptimal) stopped = state.stopped;
     }
@@ -244,14 +299,13 @@ class Pipeline {
     else if (deadline_.expired())
       stopped = Status::kTimeLimit;
     if (!missing_.empty()) return set_infeasible(solution, complete, stopped);
-    const double allowed = std::max(options_.relative_gap, 1e-9) * std::abs(solution.cost);
     if (complete && (error <= 1e-9 * std::abs(solution.cost) || error <= 1e-9 * smallest_cost())) {
       solution.status = Status::kOptimal;
       solution.proven = solution.solutions.front().proven = true;
     } else if (complete) {
       solution.status = Status::kPrecisionLost;
-      solution.reason = "the rounding of the costs hides differences of " + std::to_string(error);
-    } else if (solution.gap() <= allowed) {
+      solution.reason = "the rounding of the costs hides differences of " + figure_text(error);
+    } else if (solution.relative_gap() <= std::max(options_.relative_gap, 1e-9)) {
       solution.status = Status::kGapReached;
     } else {
       solution.status = stopped;
@@ -271,17 +325,19 @@ class Pipeline {
     }
   }
 
-  // Least |c| > 0 of arcs and finite singletons.
+  // Least |c| > 0.
   double smallest_cost() const {
     double least = kInfinity;
-    const auto note = [&](double cost) {
-      if (cost != 0 && std::isfinite(cost)) least = std::min(least, std::abs(cost));
-    };
-    for (const double cost : problem_.costs()) note(cost);
-    for (int k = 0; k < problem_.num_dimensions(); ++k) {
-      for (const double cost : problem_.singleton_costs(k)) note(cost);
-    }
+    for_each_cost(problem_, [&](double size) {
+      if (size > 0) least = std::min(least, size);
+    });
     return least;
+  }
+
+  // How far the rounding of its costs may move a solution off the grid.
+  double off_grid() const {
+    if (grid_.exact) return 0;
+    return 0x1p-52 * static_cast<double>(problem_.num_indices()) * largest_cost(problem_);
   }
 
   const Problem& problem_;
@@ -301,6 +357,8 @@ class Pipeline {
 
 Solution solve(const Problem& problem, const Options& options) {
   validate(options);
+  const double largest = largest_cost(problem);
+  if (largest > kLargestCost) return overflow(problem, largest);
   return Pipeline(problem, options).run();
 }
 

@@ -30,8 +30,12 @@ void expect_sound(const Component& component,
     EXPECT_LT(result.best.cost, cutoff + kTie);
     EXPECT_TRUE(std::is_sorted(result.best.arcs.begin(), result.best.arcs.end()));
   }
-  if (result.complete && result.found) EXPECT_NEAR(result.best.cost, best, kTie);
-  if (result.complete && !result.found) EXPECT_GE(best, cutoff - kTie);
+  if (result.complete && result.found) {
+    EXPECT_NEAR(result.best.cost, best, kTie);
+  }
+  if (result.complete && !result.found) {
+    EXPECT_GE(best, cutoff - kTie);
+  }
 }
 
 TEST(Enumerate, FindsTheEmptyPackingOfNoArcs) {
@@ -136,7 +140,9 @@ TEST(Enumerate, StopsAtTheDeadline) {
     EXPECT_FALSE(result.complete);
     EXPECT_LT(result.nodes, 10000);
     EXPECT_NEAR(result.lower, -18, kTie);
-    if (result.found) EXPECT_EQ(packing_fault(component, result.best), "");
+    if (result.found) {
+      EXPECT_EQ(packing_fault(component, result.best), "");
+    }
   }
 }
 

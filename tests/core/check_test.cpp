@@ -121,6 +121,10 @@ struct Wrong {
   const char* fault;  // part of the sentence
 };
 
+void PrintTo(const Wrong& wrong, std::ostream* out) {
+  *out << wrong.name;
+}
+
 class WrongSolutions : public ::testing::TestWithParam<Wrong> {};
 
 TEST_P(WrongSolutions, AreRejectedWithTheReason) {
@@ -267,6 +271,18 @@ INSTANTIATE_TEST_SUITE_P(Claims,
                                                  },
                                                  "proven"}),
                          [](const auto& tested) { return tested.param.name; });
+
+TEST(Check, AcceptsAProofToRounding) {
+  EXPECT_TRUE(report_after([](Solution& s) {
+                s.status = Status::kOptimal;
+                s.proven = true;
+              }).passed());
+  const Problem zero = make_problem({1, 1}, {{{1, 1}, 0}}, kInfinity);
+  Solution solution = right_solution(zero, *support::brute_force(zero), {{1}, {-1}});
+  solution.status = Status::kOptimal;
+  EXPECT_LT(solution.lower_bound, 0) << "rounded down";
+  EXPECT_TRUE(check(zero, solution).passed());
+}
 
 TEST(Check, FaultsDoNotHideEachOther) {
   const CheckReport report = report_after([](Solution& s) {

@@ -32,6 +32,10 @@ struct Range {
   std::function<void(Options&)> bad;   // just beyond
 };
 
+void PrintTo(const Range& range, std::ostream* out) {
+  *out << range.name;
+}
+
 class OptionRanges : public ::testing::TestWithParam<Range> {};
 
 TEST_P(OptionRanges, AcceptTheirEdgeAndNameWhatIsBeyond) {

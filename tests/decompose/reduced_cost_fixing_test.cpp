@@ -83,9 +83,14 @@ Component square() {
 const std::vector<double> kSquareMultipliers = {0, -2, -1, 0, -3, -3};
 
 TEST(Fixing, DropsArcsThatAreTooDear) {
-  const Fixing fixing = fix(square(), kSquareMultipliers, -9, -7.5);
-  EXPECT_THAT(fixing.taken, ElementsAre(0)) << "without (1,1) index 1 of dimension 1 costs 2";
-  EXPECT_THAT(fixing.live, ElementsAre(2));
+  // (1,1) -1, (1,2) 2, (2,2) -1 with u = -1/2 everywhere: r = 0, 3, 0; leaving an index costs 1/2.
+  Component component = core::make_component({2, 2});
+  core::append_arc(component, std::vector<Index>{1, 1}, -1);
+  core::append_arc(component, std::vector<Index>{1, 2}, 2);
+  core::append_arc(component, std::vector<Index>{2, 2}, -1);
+  const Fixing fixing = fix(component, std::vector<double>{0, -0.5, -0.5, 0, -0.5, -0.5}, -2, 1);
+  EXPECT_THAT(fixing.taken, IsEmpty());
+  EXPECT_THAT(fixing.live, ElementsAre(0, 2)) << "-2 + 3 is not below 1";
 }
 
 TEST(Fixing, KeepsEverythingBelowAGenerousCutoff) {

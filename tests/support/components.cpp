@@ -92,7 +92,7 @@ std::string packing_fault(const Component& component, const Packing& packing, do
 }
 
 double best_cost(const Component& component) {
-  return brute_force(to_problem(component))->cost;
+  return component.num_arcs() == 0 ? 0 : brute_force(to_problem(component))->cost;
 }
 
 namespace {

@@ -1,0 +1,430 @@
+#include "bnb/branch_and_bound.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "decompose/components.hpp"
+#include "decompose/reduced_cost_fixing.hpp"
+#include "support/components.hpp"
+
+namespace nda::bnb {
+namespace {
+
+using core::ArcId;
+using core::Component;
+using core::Packing;
+using support::sum_of;
+
+constexpr double kTie = 1e-9;
+
+using Bound = std::function<NodeBound(const Component&, std::span<const double>, double)>;
+using Reduce = std::function<Reduction(const Component&, const NodeBound&, double)>;
+
+// The collaborators are fakes: each does as little, or as much, as its contract allows.
+
+NodeBound keep_the_warm_multipliers(const Component&, std::span<const double> warm, double) {
+  return {{warm.begin(), warm.end()}, sum_of(warm), {}};
+}
+
+NodeBound start_afresh_from_random_multipliers(const Component& component,
+                                               std::span<const double>,
+                                               double) {
+  core::Random random(component.num_arcs());
+  std::vector<double> u = support::feasible_multipliers(component, random);
+  const double lower = sum_of(u);
+  return {std::move(u), lower, {}};
+}
+
+// Offers the best packing, too, as a heuristic may.
+NodeBound know_the_best_packing(const Component& component,
+                                std::span<const double> warm,
+                                double cutoff) {
+  NodeBound bound = keep_the_warm_multipliers(component, warm, cutoff);
+  for (const Packing& packing : support::all_packings(component)) {
+    if (packing.cost < bound.packing.cost) bound.packing = packing;
+  }
+  return bound;
+}
+
+std::vector<ArcId> all_arcs(const Component& component) {
+  std::vector<ArcId> arcs(component.num_arcs());
+  std::iota(arcs.begin(), arcs.end(), 0u);
+  return arcs;
+}
+
+// Adds the connected parts of `arcs`, or these arcs as one part.
+void add_parts(const Component& component,
+               std::span<const double> u,
+               const std::vector<ArcId>& arcs,
+               bool split,
+               Reduction& reduction) {
+  core::Cutter cutter;
+  const Component live = cutter.cut(component, arcs);
+  const std::vector<double> live_u = core::restrict_slots(component, u, live);
+  if (!split) {
+    if (live.num_arcs() == 0) return;
+    reduction.parts.push_back(live);
+    reduction.u.push_back(live_u);
+    return;
+  }
+  const decompose::Partition parts = decompose::partition(live);
+  for (std::size_t c = 0; c < parts.num_components(); ++c) {
+    reduction.parts.push_back(cutter.cut(live, parts.component(c)));
+    reduction.u.push_back(core::restrict_slots(live, live_u, reduction.parts.back()));
+  }
+}
+
+Reduction change_nothing(const Component& component, const NodeBound& bound, double) {
+  Reduction reduction;
+  add_parts(component, bound.u, all_arcs(component), false, reduction);
+  return reduction;
+}
+
+Reduction split_only(const Component& component, const NodeBound& bound, double) {
+  Reduction reduction;
+  add_parts(component, bound.u, all_arcs(component), true, reduction);
+  return reduction;
+}
+
+Reduction fix_and_split(const Component& component, const NodeBound& bound, double cutoff) {
+  const decompose::Fixing fixing = decompose::fix(component, bound.u, bound.lower, cutoff);
+  Reduction reduction;
+  for (const ArcId a : fixing.taken) {
+    reduction.taken.arcs.push_back(core::original_arc(component, a));
+    reduction.taken.cost += component.costs[a];
+  }
+  add_parts(component, bound.u, fixing.live, true, reduction);
+  return reduction;
+}
+
+struct Fakes {
+  const char* name;
+  Bound bound;
+  Reduce reduce;
+};
+
+void PrintTo(const Fakes& fakes, std::ostream* out) {
+  *out << fakes.name;
+}
+
+BranchLimits branch_always() {
+  BranchLimits limits;
+  limits.enumeration_arcs = 0;
+  limits.error = limits.margin = kTie;
+  return limits;
+}
+
+// A component cut out of a larger one, so that its arcs have other numbers there.
+struct Cut {
+  Component whole;
+  Component part;
+};
+
+Cut random_cut(std::uint64_t seed) {
+  Cut cut;
+  cut.whole = support::random_component_of_any_kind(seed);
+  core::Random random(seed);
+  std::vector<ArcId> arcs;
+  for (ArcId a = 0; a < cut.whole.num_arcs(); ++a) {
+    if (random.below(6) != 0) arcs.push_back(a);
+  }
+  cut.part = core::Cutter().cut(cut.whole, arcs);
+  return cut;
+}
+
+// What holds however the search ended; best: the optimum of the part.
+void expect_sound(const Cut& cut, double best, double cutoff, const SearchResult& result) {
+  EXPECT_LE(std::min(result.lower, cutoff), best + kTie);
+  if (!result.found) {
+    if (result.complete) {
+      EXPECT_GE(best, cutoff - kTie);
+    }
+    return;
+  }
+  EXPECT_EQ(support::packing_fault(cut.whole, result.best), "");
+  for (const ArcId a : result.best.arcs) {
+    EXPECT_TRUE(std::binary_search(cut.part.arc_origin.begin(), cut.part.arc_origin.end(), a));
+  }
+  EXPECT_LT(result.best.cost, cutoff + kTie);
+}
+
+class BranchAndBound : public ::testing::TestWithParam<Fakes> {
+ protected:
+  SearchResult search(const Component& component,
+                      std::span<const double> u,
+                      double cutoff,
+                      const BranchLimits& limits) const {
+    return branch_and_bound(component, u, cutoff, {GetParam().bound, GetParam().reduce}, limits);
+  }
+};
+
+TEST_P(BranchAndBound, AgreesWithBruteForceForAnyMultipliersAndCutoff) {
+  for (std::uint64_t seed = 0; seed < 1200; ++seed) {
+    SCOPED_TRACE(seed);
+    const Cut cut = random_cut(seed);
+    if (cut.part.num_arcs() > 13) continue;
+    core::Random random(seed);
+    const std::vector<double> u =
+        support::feasible_multipliers(cut.part, random, random.below(3) == 0 ? 3.0 : 0.0);
+    const double best = support::best_cost(cut.part);
+    BranchLimits limits = branch_always();
+    limits.enumeration_arcs = 4 * random.below(3);
+    limits.enumeration_nodes = 1 + static_cast<std::int64_t>(random.below(30));
+    for (const double cutoff : {kInfinity, best + random.uniform(0.001, 5), best - 0.001, 0.25}) {
+      SCOPED_TRACE(cutoff);
+      const SearchResult result = search(cut.part, u, cutoff, limits);
+      EXPECT_TRUE(result.complete);
+      EXPECT_EQ(result.found, best < cutoff);
+      expect_sound(cut, best, cutoff, result);
+      if (result.found) {
+        EXPECT_NEAR(result.best.cost, best, kTie);
+      }
+      EXPECT_GE(result.lower, std::min(best, cutoff) - 3 * kTie) << "proves the most it can";
+    }
+    if (HasFailure()) return;
+  }
+}
+
+TEST_P(BranchAndBound, StaysSoundUnderANodeLimit) {
+  int num_incomplete = 0;
+  for (std::uint64_t seed = 0; seed < 1200; ++seed) {
+    SCOPED_TRACE(seed);
+    const Cut cut = random_cut(seed);
+    if (cut.part.num_arcs() > 13) continue;
+    core::Random random(seed);
+    const std::vector<double> u = support::feasible_multipliers(cut.part, random, 2);
+    const double best = support::best_cost(cut.part);
+    BranchLimits limits = branch_always();
+    limits.max_nodes = static_cast<std::int64_t>(random.below(12));
+    limits.enumeration_arcs = 4 * random.below(3);
+    limits.enumeration_nodes = 5;
+    const double cutoff = random.below(2) == 0 ? kInfinity : best + random.uniform(-1, 3);
+    const SearchResult result = search(cut.part, u, cutoff, limits);
+    expect_sound(cut, best, cutoff, result);
+    if (result.complete && result.found) {
+      EXPECT_NEAR(result.best.cost, best, kTie);
+    }
+    num_incomplete += !result.complete;
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(num_incomplete, 100);
+}
+
+TEST_P(BranchAndBound, StaysSoundWhenInterruptedAtAnyMoment) {
+  int num_incomplete = 0;
+  for (std::uint64_t seed = 0; seed < 600; ++seed) {
+    SCOPED_TRACE(seed);
+    const Cut cut = random_cut(seed);
+    if (cut.part.num_arcs() > 13) continue;
+    core::Random random(seed);
+    const std::vector<double> u = support::feasible_multipliers(cut.part, random, 2);
+    std::stop_source stop;
+    BranchLimits limits = branch_always();
+    limits.deadline = core::Deadline(60, stop.get_token());
+    std::uint64_t calls_left = random.below(6);
+    const Bound bound = [&](const Component& node, std::span<const double> warm, double cutoff) {
+      if (calls_left-- == 0) stop.request_stop();
+      return GetParam().bound(node, warm, cutoff);
+    };
+    const SearchResult result =
+        branch_and_bound(cut.part, u, kInfinity, {bound, GetParam().reduce}, limits);
+    const double best = support::best_cost(cut.part);
+    expect_sound(cut, best, kInfinity, result);
+    if (result.complete && result.found) {
+      EXPECT_NEAR(result.best.cost, best, kTie);
+    }
+    num_incomplete += !result.complete;
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(num_incomplete, 50);
+}
+
+// The answer may be off by the gap, however many parts it is put together from, and the bound says
+// so.
+TEST_P(BranchAndBound, MissesTheOptimumByTheGapAtMost) {
+  int num_missed = 0;
+  for (std::uint64_t seed = 0; seed < 1200; ++seed) {
+    SCOPED_TRACE(seed);
+    const Cut cut = random_cut(seed);
+    if (cut.part.num_arcs() > 13) continue;
+    core::Random random(seed);
+    const std::vector<double> u = support::feasible_multipliers(cut.part, random);
+    const double best = support::best_cost(cut.part);
+    BranchLimits limits = branch_always();
+    limits.gap = random.uniform(0.1, 6);
+    const SearchResult result = search(cut.part, u, kInfinity, limits);
+    EXPECT_TRUE(result.complete);
+    ASSERT_TRUE(result.found);
+    expect_sound(cut, best, kInfinity, result);
+    EXPECT_LE(result.best.cost, best + limits.gap + kTie);
+    EXPECT_LE(result.lower, best + kTie);
+    num_missed += result.best.cost > best + kTie;
+    if (HasFailure()) return;
+  }
+  if (std::string(GetParam().name).find("Oracle") == std::string::npos) {
+    EXPECT_GT(num_missed, 0);
+  }
+}
+
+// Integer costs: nothing lies between the best and the next cheaper integer, so a margin of nearly
+// 1 loses nothing.
+TEST_P(BranchAndBound, MarginOfNearlyTheGridLosesNothing) {
+  for (std::uint64_t seed = 0; seed < 1200; ++seed) {
+    SCOPED_TRACE(seed);
+    support::RandomComponentOptions options;
+    options.integer = true;
+    options.num_arcs = 12;
+    const Component component = support::random_component(seed, options);
+    core::Random random(seed);
+    const std::vector<double> u = support::feasible_multipliers(component, random);
+    const double best = support::best_cost(component);
+    BranchLimits limits = branch_always();
+    limits.margin = 0.999;
+    const SearchResult result = search(component, u, 0.5, limits);
+    EXPECT_TRUE(result.complete);
+    ASSERT_TRUE(result.found);
+    EXPECT_EQ(result.best.cost, best);
+    EXPECT_NEAR(result.lower, best, 2 * kTie);
+    if (HasFailure()) return;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Fakes,
+    BranchAndBound,
+    ::testing::Values(Fakes{"WarmWhole", keep_the_warm_multipliers, change_nothing},
+                      Fakes{"WarmSplit", keep_the_warm_multipliers, split_only},
+                      Fakes{"WarmFixed", keep_the_warm_multipliers, fix_and_split},
+                      Fakes{"FreshSplit", start_afresh_from_random_multipliers, split_only},
+                      Fakes{"FreshFixed", start_afresh_from_random_multipliers, fix_and_split},
+                      Fakes{"OracleSplit", know_the_best_packing, split_only},
+                      Fakes{"OracleFixed", know_the_best_packing, fix_and_split}),
+    [](const auto& tested) { return tested.param.name; });
+
+// Two arcs in conflict at -5 and -4, u = -5 on the index they share.
+Component two_rivals() {
+  Component component = core::make_component({1, 2});
+  core::append_arc(component, std::vector<Index>{1, 1}, -5);
+  core::append_arc(component, std::vector<Index>{1, 2}, -4);
+  return component;
+}
+const std::vector<double> kRivalMultipliers = {0, -5, 0, 0, 0};
+
+TEST(BranchAndBoundContract, FindsNothingThatIsNotBetterByTheMargin) {
+  BranchLimits limits = branch_always();
+  limits.margin = 1.5;
+  const Bound offer_the_second = [](const Component& node, std::span<const double> warm, double c) {
+    NodeBound bound = keep_the_warm_multipliers(node, warm, c);
+    if (node.num_arcs() == 2) bound.packing = {{1}, -4};
+    return bound;
+  };
+  const SearchResult result = branch_and_bound(
+      two_rivals(), kRivalMultipliers, kInfinity, {offer_the_second, split_only}, limits);
+  EXPECT_EQ(result.best.cost, -4) << "-5 is better by 1 only";
+  EXPECT_TRUE(result.complete);
+  limits.margin = kTie;
+  limits.gap = 1.5;
+  const SearchResult near = branch_and_bound(
+      two_rivals(), kRivalMultipliers, kInfinity, {offer_the_second, split_only}, limits);
+  EXPECT_EQ(near.best.cost, -4);
+  EXPECT_NEAR(near.lower, -5.5, kTie);
+}
+
+TEST(BranchAndBoundContract, PassesTheCutoffLessTheMarginToTheBound) {
+  BranchLimits limits = branch_always();
+  limits.margin = limits.error = 0.25;
+  std::vector<double> cutoffs;
+  const Bound record = [&](const Component& node, std::span<const double> warm, double cutoff) {
+    cutoffs.push_back(cutoff);
+    return keep_the_warm_multipliers(node, warm, cutoff);
+  };
+  branch_and_bound(two_rivals(), kRivalMultipliers, -1, {record, split_only}, limits);
+  ASSERT_FALSE(cutoffs.empty());
+  EXPECT_EQ(cutoffs.front(), -1);
+}
+
+TEST(BranchAndBoundContract, LooksNoFurtherOnceTheBoundReachesTheCutoff) {
+  int num_reductions = 0;
+  const Reduce count = [&](const Component& node, const NodeBound& bound, double cutoff) {
+    ++num_reductions;
+    return split_only(node, bound, cutoff);
+  };
+  const SearchResult result = branch_and_bound(
+      two_rivals(), kRivalMultipliers, -5, {keep_the_warm_multipliers, count}, branch_always());
+  EXPECT_TRUE(result.complete);
+  EXPECT_FALSE(result.found);
+  EXPECT_EQ(num_reductions, 0);
+  EXPECT_GE(result.lower, -5);
+}
+
+TEST(BranchAndBoundContract, EnumeratesSmallParts) {
+  int num_bounds = 0;
+  const Bound count = [&](const Component& node, std::span<const double> warm, double cutoff) {
+    ++num_bounds;
+    return keep_the_warm_multipliers(node, warm, cutoff);
+  };
+  const SearchResult result = branch_and_bound(
+      two_rivals(), kRivalMultipliers, kInfinity, {count, split_only}, BranchLimits{});
+  EXPECT_TRUE(result.complete);
+  EXPECT_EQ(result.best.cost, -5);
+  EXPECT_EQ(num_bounds, 0);
+  EXPECT_GT(result.nodes, 0);
+}
+
+TEST(BranchAndBoundContract, BoundsAgainWhatTakesTooLongToEnumerate) {
+  int num_bounds = 0;
+  const Bound count = [&](const Component& node, std::span<const double> warm, double cutoff) {
+    ++num_bounds;
+    return keep_the_warm_multipliers(node, warm, cutoff);
+  };
+  BranchLimits limits;
+  limits.enumeration_nodes = 2;
+  const SearchResult result =
+      branch_and_bound(two_rivals(), kRivalMultipliers, kInfinity, {count, split_only}, limits);
+  EXPECT_TRUE(result.complete);
+  EXPECT_EQ(result.best.cost, -5);
+  EXPECT_GT(num_bounds, 0);
+}
+
+TEST(BranchAndBoundContract, BoundsNoMoreNodesThanAllowed) {
+  support::RandomComponentOptions options;
+  options.sizes = {6, 6, 6};
+  options.num_arcs = 40;
+  const Component component = support::random_component(11, options);
+  core::Random random(1);
+  const std::vector<double> u = support::feasible_multipliers(component, random, 1);
+  for (const std::int64_t max_nodes : {0, 1, 2, 10}) {
+    SCOPED_TRACE(max_nodes);
+    BranchLimits limits = branch_always();
+    limits.max_nodes = max_nodes;
+    std::int64_t num_bounds = 0;
+    const Bound count = [&](const Component& node, std::span<const double> warm, double cutoff) {
+      ++num_bounds;
+      return keep_the_warm_multipliers(node, warm, cutoff);
+    };
+    const SearchResult result =
+        branch_and_bound(component, u, kInfinity, {count, split_only}, limits);
+    EXPECT_LE(num_bounds, max_nodes);
+    EXPECT_FALSE(result.complete);
+    EXPECT_LE(result.lower, support::best_cost(component) + kTie);
+    EXPECT_GE(result.lower, sum_of(u) - kTie) << "the multipliers alone prove that";
+  }
+}
+
+TEST(BranchAndBoundContract, OfNoArcsFindsTheEmptyPackingBelowThePositiveCutoff) {
+  const Component none = core::make_component({});
+  const Collaborators fakes{keep_the_warm_multipliers, split_only};
+  const SearchResult found = branch_and_bound(none, {}, 1, fakes, branch_always());
+  EXPECT_TRUE(found.complete && found.found);
+  EXPECT_EQ(found.best.cost, 0);
+  EXPECT_LE(found.lower, 0);
+  const SearchResult nothing = branch_and_bound(none, {}, -1, fakes, branch_always());
+  EXPECT_TRUE(nothing.complete && !nothing.found);
+}
+
+}  // namespace
+}  // namespace nda::bnb

@@ -1,0 +1,106 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "nda/check.hpp"
+#include "nda/solve.hpp"
+#include "solve/medium_problems.hpp"
+#include "support/matchers.hpp"
+#include "support/random_problems.hpp"
+
+namespace nda {
+namespace {
+
+// Everything but times and memory, to the last bit.
+void expect_same(const Solution& one, const Solution& two) {
+  EXPECT_EQ(one.status, two.status);
+  EXPECT_EQ(one.cost, two.cost);
+  EXPECT_EQ(one.lower_bound, two.lower_bound);
+  EXPECT_EQ(one.multipliers, two.multipliers);
+  EXPECT_EQ(one.reason, two.reason);
+  ASSERT_EQ(one.solutions.size(), two.solutions.size());
+  for (std::size_t r = 0; r < one.solutions.size(); ++r) {
+    EXPECT_EQ(one.solutions[r].arcs, two.solutions[r].arcs);
+    EXPECT_EQ(one.solutions[r].cost, two.solutions[r].cost);
+  }
+  ASSERT_EQ(one.components.size(), two.components.size());
+  for (std::size_t c = 0; c < one.components.size(); ++c) {
+    EXPECT_EQ(one.components[c].cost, two.components[c].cost);
+    EXPECT_EQ(one.components[c].lower_bound, two.components[c].lower_bound);
+    EXPECT_EQ(one.components[c].method, two.components[c].method);
+  }
+  EXPECT_EQ(one.stats.dual_evaluations, two.stats.dual_evaluations);
+  EXPECT_EQ(one.stats.recoveries, two.stats.recoveries);
+  EXPECT_EQ(one.stats.nodes, two.stats.nodes);
+}
+
+Options with_threads(Options options, int num_threads) {
+  options.num_threads = num_threads;
+  return options;
+}
+
+Options branching() {
+  Options options;
+  options.branch.exact_arcs = 0;
+  options.relaxation.max_evaluations = 10;
+  return options;
+}
+
+TEST(Determinism, ThreadsDoNotChangeTheAnswer) {
+  for (const Options& options : {Options{}, branching()}) {
+    for (const Problem* problem :
+         {&gadgets().problem, &planted(PlantedSingletons::kPriced).problem}) {
+      const Solution single = solve(*problem, options);
+      for (const int num_threads : {2, 3, 0}) {
+        SCOPED_TRACE(num_threads);
+        expect_same(single, solve(*problem, with_threads(options, num_threads)));
+      }
+    }
+  }
+}
+
+TEST(Determinism, ThreadsDoNotChangeTheAnswerOnRandomProblems) {
+  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+    const support::RandomCase random = support::random_case(seed);
+    SCOPED_TRACE(random.description);
+    expect_same(solve(random.problem), solve(random.problem, with_threads({}, 2)));
+    if (HasFailure()) return;
+  }
+}
+
+TEST(Determinism, SameSeedSameAnswer) {
+  Options options;
+  options.method = Method::kRelaxation;
+  options.relaxation.max_evaluations = 15;
+  options.seed = 77;
+  const Solution one = solve(hard_problem(), options);
+  expect_same(one, solve(hard_problem(), options));
+}
+
+TEST(Determinism, AnySeedFindsTheOptimum) {
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    SCOPED_TRACE(seed);
+    Options options = branching();
+    options.seed = seed;
+    const Solution solution = solve(gadgets().problem, options);
+    EXPECT_EQ(solution.status, Status::kOptimal);
+    EXPECT_EQ(solution.cost, *gadgets().optimum);
+  }
+}
+
+TEST(KnownOptima, AreFoundAndProven) {
+  for (const Instance* instance : {&gadgets(),
+                                   &planted(PlantedSingletons::kFree),
+                                   &planted(PlantedSingletons::kPriced),
+                                   &planted(PlantedSingletons::kForbidden)}) {
+    ASSERT_TRUE(instance->optimum);
+    const Solution solution = solve(instance->problem);
+    SCOPED_TRACE(instance->comments.at(0));
+    EXPECT_EQ(solution.status, Status::kOptimal);
+    EXPECT_TRUE(check(instance->problem, solution).passed());
+    EXPECT_NEAR(solution.cost, *instance->optimum, 1e-9 * std::abs(*instance->optimum));
+    EXPECT_THAT(solution, support::BracketsOptimum(*instance->optimum));
+  }
+}
+
+}  // namespace
+}  // namespace nda

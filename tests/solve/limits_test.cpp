@@ -1,0 +1,291 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <time.h>
+
+#include <atomic>
+#include <cmath>
+#include <functional>
+#include <thread>
+
+#include "core/clock.hpp"
+#include "core/random.hpp"
+#include "nda/check.hpp"
+#include "nda/solve.hpp"
+#include "solve/medium_problems.hpp"
+#include "support/brute_force.hpp"
+#include "support/matchers.hpp"
+#include "support/random_problems.hpp"
+#include "support/tiny_problems.hpp"
+
+namespace nda {
+namespace {
+
+using ::testing::IsEmpty;
+
+constexpr double kTie = 1e-9;
+
+const Problem& problem_of_many_components() {
+  return planted(PlantedSingletons::kFree).problem;
+}
+
+// What must hold whatever stopped the solver.
+void expect_usable(const Problem& problem, const Solution& solution) {
+  const CheckReport report = check(problem, solution);
+  EXPECT_THAT(report.faults, IsEmpty());
+  EXPECT_LE(solution.lower_bound, solution.cost);
+  EXPECT_TRUE(std::isfinite(solution.lower_bound));
+  EXPECT_EQ(solution.proven, solution.status == Status::kOptimal);
+}
+
+double cpu_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+// Wall time cannot be promised on a machine that is busy with other things; the time this thread
+// worked can, and on an idle machine the two are one.
+double seconds_of_work(const std::function<void()>& action) {
+  const double start = cpu_seconds();
+  action();
+  return cpu_seconds() - start;
+}
+
+class TimeLimits : public ::testing::TestWithParam<int> {};
+
+TEST_P(TimeLimits, AreObeyed) {
+  Options options;
+  options.time_limit_s = 0.001 * GetParam();
+  const double allowed = options.time_limit_s + std::max(0.005, 0.01 * options.time_limit_s);
+  const Problem& problem = hard_problem();
+  double least = kInfinity;
+  for (int attempt = 0; attempt < 3 && least > allowed; ++attempt) {
+    Solution solution;
+    least = std::min(least, seconds_of_work([&] { solution = solve(problem, options); }));
+    EXPECT_EQ(solution.status, Status::kTimeLimit);
+    EXPECT_TRUE(solution.reason.empty());
+    expect_usable(problem, solution);
+  }
+  EXPECT_LE(least, allowed);
+}
+
+INSTANTIATE_TEST_SUITE_P(Milliseconds, TimeLimits, ::testing::Values(1, 2, 5, 10, 20, 50, 200));
+
+TEST(TimeLimit, ThatIsNotReachedChangesNothing) {
+  Options options;
+  options.time_limit_s = 1000;
+  const Solution limited = solve(problem_of_many_components(), options);
+  const Solution free = solve(problem_of_many_components());
+  EXPECT_EQ(limited.status, Status::kOptimal);
+  EXPECT_EQ(limited.solutions[0].arcs, free.solutions[0].arcs);
+  EXPECT_EQ(limited.lower_bound, free.lower_bound);
+}
+
+TEST(TimeLimit, OfNoTimeStillGivesABoundAndTheSingletons) {
+  Options options;
+  options.time_limit_s = 1e-9;
+  const Solution solution = solve(hard_problem(), options);
+  EXPECT_EQ(solution.status, Status::kTimeLimit);
+  expect_usable(hard_problem(), solution);
+  ASSERT_EQ(solution.solutions.size(), 1u);
+}
+
+TEST(TimeLimit, GivesNoSolutionWhereNoneWasFound) {
+  const Problem problem = support::infeasible_by_parity().problem;
+  Options options;
+  options.time_limit_s = 1e-9;
+  const Solution solution = solve(problem, options);
+  EXPECT_EQ(solution.status, Status::kTimeLimit);
+  EXPECT_THAT(solution.solutions, IsEmpty());
+  EXPECT_EQ(solution.cost, kInfinity);
+  EXPECT_TRUE(std::isfinite(solution.lower_bound));
+  EXPECT_THAT(check(problem, solution).faults, IsEmpty());
+}
+
+TEST(StopToken, ThatWasSetBeforeStopsAtOnce) {
+  std::stop_source source;
+  source.request_stop();
+  Options options;
+  options.stop = source.get_token();
+  const Solution solution = solve(hard_problem(), options);
+  EXPECT_EQ(solution.status, Status::kInterrupted);
+  expect_usable(hard_problem(), solution);
+}
+
+TEST(StopToken, StopsASolveInAnotherThread) {
+  std::stop_source source;
+  Options options;
+  options.stop = source.get_token();
+  options.time_limit_s = 60;
+  Solution solution;
+  const core::Stopwatch watch;
+  std::thread solver([&] { solution = solve(hard_problem(), options); });
+  std::this_thread::sleep_for(std::chrono::milliseconds(30));
+  source.request_stop();
+  solver.join();
+  EXPECT_EQ(solution.status, Status::kInterrupted);
+  EXPECT_LT(watch.seconds(), 20);
+  expect_usable(hard_problem(), solution);
+}
+
+TEST(ProgressCallback, ThatReturnsFalseStops) {
+  for (const int calls_wanted : {1, 2}) {
+    SCOPED_TRACE(calls_wanted);
+    int calls = 0;
+    Options options;
+    options.time_limit_s = 60;
+    options.progress = [&](const Progress&) { return ++calls < calls_wanted; };
+    const Solution solution = solve(hard_problem(), options);
+    EXPECT_EQ(solution.status, Status::kInterrupted);
+    EXPECT_GE(calls, calls_wanted);
+    expect_usable(hard_problem(), solution);
+  }
+}
+
+TEST(ProgressCallback, SeesTheCostFallAndTheBoundRise) {
+  for (const Problem* problem : {&hard_problem(), &problem_of_many_components()}) {
+    Options options;
+    options.time_limit_s = 0.3;
+    std::vector<Progress> seen;
+    options.progress = [&](const Progress& progress) {
+      seen.push_back(progress);
+      return true;
+    };
+    const Solution solution = solve(*problem, options);
+    ASSERT_FALSE(seen.empty());
+    for (std::size_t i = 1; i < seen.size(); ++i) {
+      EXPECT_LE(seen[i].cost, seen[i - 1].cost);
+      EXPECT_GE(seen[i].lower_bound, seen[i - 1].lower_bound);
+      EXPECT_GE(seen[i].seconds, seen[i - 1].seconds);
+      EXPECT_GE(seen[i].components_done, seen[i - 1].components_done);
+      EXPECT_NE(std::string(seen[i].event), "");
+    }
+    for (const Progress& progress : seen) {
+      EXPECT_EQ(progress.num_components, solution.num_components);
+      EXPECT_LE(progress.components_done, progress.num_components);
+      EXPECT_LE(progress.lower_bound, solution.cost + 1e-6);
+      EXPECT_GE(progress.cost, solution.cost - 1e-6);
+    }
+    EXPECT_NEAR(seen.back().cost, solution.cost, 1e-6);
+  }
+}
+
+TEST(ProgressCallback, IsNeverCalledConcurrently) {
+  Options options;
+  options.num_threads = 4;
+  std::atomic<int> inside{0};
+  std::atomic<int> most{0};
+  options.progress = [&](const Progress&) {
+    most = std::max<int>(most, ++inside);
+    std::this_thread::yield();
+    --inside;
+    return true;
+  };
+  solve(problem_of_many_components(), options);
+  EXPECT_EQ(most, 1);
+}
+
+TEST(NodeLimit, StopsBranching) {
+  for (const std::int64_t max_nodes : {0, 1, 3}) {
+    SCOPED_TRACE(max_nodes);
+    Options options;
+    options.branch.max_nodes = max_nodes;
+    options.relaxation.max_evaluations = 20;
+    const Solution solution = solve(small_hard_problem(), options);
+    EXPECT_EQ(solution.status, Status::kNodeLimit);
+    EXPECT_LE(solution.stats.nodes, max_nodes);
+    expect_usable(small_hard_problem(), solution);
+  }
+}
+
+TEST(NodeLimit, CountsEnumerationToo) {
+  for (const std::int64_t max_nodes : {0, 1, 3}) {
+    Options options;
+    options.branch.max_nodes = max_nodes;
+    options.method = Method::kExact;
+    const Solution solution = solve(small_hard_problem(), options);
+    EXPECT_EQ(solution.status, Status::kNodeLimit);
+    EXPECT_LE(solution.stats.nodes, max_nodes);
+    expect_usable(small_hard_problem(), solution);
+  }
+}
+
+TEST(IterationLimit, EndsTheRelaxationAlone) {
+  Options options;
+  options.method = Method::kRelaxation;
+  options.relaxation.max_evaluations = 15;
+  const Solution solution = solve(hard_problem(), options);
+  EXPECT_EQ(solution.status, Status::kIterationLimit);
+  EXPECT_EQ(solution.stats.dual_evaluations, 15);
+  EXPECT_EQ(solution.stats.nodes, 0);
+  EXPECT_FALSE(solution.stats.bound_by_branching);
+  expect_usable(hard_problem(), solution);
+}
+
+TEST(Relaxation, ProvesWhatHasNoGap) {
+  Options options;
+  options.method = Method::kRelaxation;
+  options.branch.exact_arcs = 0;
+  for (const support::TinyProblem& tiny :
+       {support::crossing_tracks(), support::two_components(), support::zero_zero_cell()}) {
+    SCOPED_TRACE(tiny.name);
+    EXPECT_EQ(solve(tiny.problem, options).status, Status::kOptimal);
+  }
+  EXPECT_EQ(solve(support::odd_cycle().problem, options).status, Status::kIterationLimit);
+}
+
+// Random problems of all signs, and the gap asked for.
+struct GapCase {
+  Problem problem;
+  double optimum;
+  Options options;
+};
+
+GapCase gap_case(std::uint64_t seed) {
+  core::Random random(seed);
+  support::RandomProblemOptions problem;
+  problem.sizes.assign(3 + random.below(2), 4);
+  problem.num_arcs = 24;
+  problem.singletons = static_cast<support::SingletonKind>(random.below(4));
+  problem.sign = static_cast<support::SignKind>(random.below(3));
+  problem.plant = true;
+  GapCase result{support::random_problem(seed, problem), 0, {}};
+  result.optimum = support::brute_force(result.problem)->cost;
+  result.options.relative_gap = std::pow(10, random.uniform(-4, 0.5));
+  result.options.branch.exact_arcs = random.below(2) == 0 ? 0 : 60;
+  result.options.relaxation.max_evaluations = 1 + static_cast<int>(random.below(20));
+  result.options.relaxation.recovery_interval = 1 + static_cast<int>(random.below(50));
+  result.options.search.local_search = random.below(2) == 0;
+  return result;
+}
+
+TEST(RelativeGap, IsReachedAndTheBoundHolds) {
+  int num_stopped_early = 0;
+  for (std::uint64_t seed = 0; seed < 2500; ++seed) {
+    SCOPED_TRACE(seed);
+    const GapCase tested = gap_case(seed);
+    SCOPED_TRACE(tested.options.relative_gap);
+    const Solution solution = solve(tested.problem, tested.options);
+    EXPECT_TRUE(solution.status == Status::kGapReached || solution.status == Status::kOptimal)
+        << to_string(solution.status);
+    expect_usable(tested.problem, solution);
+    EXPECT_LE(solution.lower_bound, tested.optimum + 1e-7);
+    EXPECT_GE(solution.cost, tested.optimum - 1e-7);
+    EXPECT_LE(solution.gap(), tested.options.relative_gap * std::abs(solution.cost) + kTie);
+    num_stopped_early += solution.status == Status::kGapReached;
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(num_stopped_early, 300);
+}
+
+TEST(RelativeGap, MayBeInfinite) {
+  Options options;
+  options.relative_gap = kInfinity;
+  options.branch.exact_arcs = 0;
+  const Solution solution = solve(hard_problem(), options);
+  EXPECT_EQ(solution.status, Status::kGapReached);
+  expect_usable(hard_problem(), solution);
+}
+
+}  // namespace
+}  // namespace nda

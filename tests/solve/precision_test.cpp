@@ -1,0 +1,141 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/random.hpp"
+#include "nda/check.hpp"
+#include "nda/solve.hpp"
+#include "solve/component_solver.hpp"
+#include "solve/medium_problems.hpp"
+#include "support/brute_force.hpp"
+#include "support/components.hpp"
+#include "support/random_problems.hpp"
+#include "support/tiny_problems.hpp"
+
+namespace nda {
+namespace {
+
+using support::make_problem;
+using ::testing::IsEmpty;
+
+TEST(Precision, ErrorGrowsWithCostsAndIndices) {
+  const core::Component component = support::whole_component(
+      make_problem({2, 3, 2}, {{{1, 1, 1}, -8}, {{2, 2, 0}, 3}, {{2, 3, 2}, -1}}));
+  const pipeline::Precision none = pipeline::precision_of(component, {});
+  EXPECT_EQ(none.error, 0x1p-50 * 7 * 8);
+  EXPECT_EQ(none.margin, none.error) << "without a grid any difference counts";
+  const pipeline::Precision grid = pipeline::precision_of(component, {1, true});
+  EXPECT_EQ(grid.error, none.error);
+  EXPECT_EQ(grid.margin, 1 - 2 * grid.error) << "nothing lies between two grid points";
+  const pipeline::Precision fine = pipeline::precision_of(component, {4 * none.error, false});
+  EXPECT_EQ(fine.margin, fine.error) << "a grid finer than the rounding is none";
+}
+
+// 3 x 3 x 3, only full tuples; singletons of 2 s, -s and -s cancel in every solution, so that the
+// costs of the arcs alone decide.
+Problem cancelling_problem(std::uint64_t seed, double s) {
+  core::Random random(seed);
+  ProblemBuilder builder({3, 3, 3});
+  for (Index k = 0; k < 3; ++k) {
+    for (Index i = 1; i <= 3; ++i) {
+      std::vector<Index> tuple(3, 0);
+      tuple[k] = i;
+      builder.add_arc(tuple, (k == 0 ? 2 : -1) * s);
+    }
+  }
+  for (int a = 0; a < 12; ++a) {
+    std::vector<Index> tuple;
+    for (int k = 0; k < 3; ++k) tuple.push_back(1 + static_cast<Index>(random.below(3)));
+    builder.add_arc(tuple, -random.uniform(0, 1));
+  }
+  return std::move(builder).build();
+}
+
+TEST(Precision, SurvivesSingletonsThatCancel) {
+  for (std::uint64_t seed = 0; seed < 600; ++seed) {
+    SCOPED_TRACE(seed);
+    core::Random random(seed);
+    const double size = std::floor(std::pow(10.0, random.uniform(3, 15)));
+    const Problem problem = cancelling_problem(seed, size);
+    const double best = support::brute_force(cancelling_problem(seed, 0))->cost;
+    const Solution solution = solve(problem);
+    EXPECT_EQ(solution.status, Status::kOptimal);
+    EXPECT_LE(solution.lower_bound, best + 1e-12);
+    EXPECT_NEAR(solution.cost, best, 1e-12);
+    EXPECT_THAT(check(problem, solution).faults, IsEmpty());
+    if (HasFailure()) return;
+  }
+}
+
+TEST(Precision, IsLostWhereTheAnswerIsSmallerThanTheRounding) {
+  const Problem problem = make_problem({1, 1}, {{{1, 0}, 5e11}, {{0, 1}, 5e11}, {{1, 1}, 1e-5}});
+  const Solution solution = solve(problem);
+  EXPECT_EQ(solution.status, Status::kPrecisionLost);
+  EXPECT_FALSE(solution.proven);
+  EXPECT_EQ(solution.cost, 1e-5);
+  EXPECT_LE(solution.lower_bound, 1e-5);
+  EXPECT_FALSE(solution.reason.empty());
+  EXPECT_THAT(check(problem, solution).faults, IsEmpty());
+}
+
+TEST(Precision, OfIntegersIsExact) {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE(seed);
+    support::RandomProblemOptions options;
+    options.sizes = {4, 4, 4};
+    options.num_arcs = 25;
+    options.costs = support::CostKind::kHuge;  // whole numbers up to 1e12
+    const Problem problem = support::random_problem(seed, options);
+    const Solution solution = solve(problem);
+    EXPECT_EQ(solution.status, Status::kOptimal);
+    EXPECT_EQ(solution.cost, support::brute_force(problem)->cost);
+  }
+}
+
+// Forbidden singletons are charged a penalty as large as all costs together; on a grid that hides
+// nothing.
+TEST(Precision, OfAGridIsNotLostToThePenalty) {
+  Map3Options options;
+  options.size = 40;
+  const Solution dense = solve(generate_map3(options).problem);
+  EXPECT_EQ(dense.status, Status::kOptimal);
+  EXPECT_EQ(dense.lower_bound, dense.cost) << "integers: the proof is exact";
+  const Instance& decimals = planted(PlantedSingletons::kForbidden);
+  const Solution solution = solve(decimals.problem);
+  EXPECT_EQ(solution.status, Status::kOptimal);
+  EXPECT_NEAR(solution.cost, *decimals.optimum, 1e-9);
+  EXPECT_LE(solution.lower_bound, *decimals.optimum);
+  EXPECT_THAT(check(decimals.problem, solution).faults, IsEmpty());
+}
+
+// Near the largest double sums overflow.  There is no good answer, but no wrong one either.
+TEST(Precision, IsLostWhereCostsOverflow) {
+  const Problem problem =
+      make_problem({2, 2}, {{{1, 1}, -1.5e308}, {{2, 2}, -1.5e308}, {{1, 2}, -1.7e308}});
+  const Solution solution = solve(problem);
+  EXPECT_EQ(solution.status, Status::kPrecisionLost);
+  EXPECT_FALSE(solution.proven);
+  EXPECT_EQ(solution.lower_bound, -kInfinity);
+  EXPECT_THAT(solution.reason, ::testing::HasSubstr("1.7e+308"));
+  EXPECT_THAT(check(problem, solution).faults, IsEmpty());
+}
+
+TEST(Precision, HoldsForCostsOfAnyOrdinarySize) {
+  for (const double size : {1e-90, 1e-30, 1e-12, 1e12, 1e30, 1e90}) {
+    SCOPED_TRACE(size);
+    const Problem problem = make_problem({2, 2, 2},
+                                         {{{1, 1, 1}, -4 * size},
+                                          {{1, 1, 2}, -5 * size},
+                                          {{2, 2, 1}, -2 * size},
+                                          {{2, 2, 2}, -4 * size}});
+    const Solution solution = solve(problem);
+    EXPECT_EQ(solution.status, Status::kOptimal);
+    EXPECT_DOUBLE_EQ(solution.cost, -8 * size);
+    EXPECT_LE(solution.lower_bound, -8 * size);
+    EXPECT_THAT(check(problem, solution).faults, IsEmpty());
+  }
+}
+
+}  // namespace
+}  // namespace nda
