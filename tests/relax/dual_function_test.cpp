@@ -192,7 +192,7 @@ TEST_P(RandomDuals, AreConcaveAlongSegments) {
 TEST_P(RandomDuals, MultipliersProveTheValueUpToCellZeroZero) {
   for_random_points(800, [](const Evaluated& at) {
     std::vector<double> all(at.component.num_slots(), 99.0);
-    at.function.multipliers(at.u, all);
+    at.function.multipliers(all);
     double proven = sum_of(all);
     for (ArcId a = 0; a < at.component.num_arcs(); ++a) {
       const double r = core::reduced_cost(at.component, all, a);
@@ -342,7 +342,7 @@ TEST(MakeFeasible, ProvesTheDualValueOrMore) {
     std::vector<double> g(u.size());
     const double q = function.evaluate(u, g);
     std::vector<double> all(component.num_slots());
-    function.multipliers(u, all);
+    function.multipliers(all);
     EXPECT_GE(make_feasible(component, all), q - kTie);
   }
 }
