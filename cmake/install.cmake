@@ -1,13 +1,10 @@
-# `cmake --install`: library, headers, program if built, and the package for find_package(nda CONFIG).
+# `cmake --install`: library, headers and the package for find_package(nda CONFIG).
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/nda)
 
 install(TARGETS nda EXPORT nda-targets)
 install(DIRECTORY include/nda ${PROJECT_BINARY_DIR}/include/nda
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
-if(TARGET nda_cli)
-  install(TARGETS nda_cli)
-endif()
 
 install(EXPORT nda-targets NAMESPACE nda:: DESTINATION ${package_dir})
 configure_package_config_file(cmake/nda-config.cmake.in ${PROJECT_BINARY_DIR}/nda-config.cmake

@@ -1,9 +1,10 @@
 # shellcheck shell=bash
 # What the scripts of this folder share; sourced, not run.
 #
-#   use_packages GROUP...        installs what is missing of these groups of scripts/packages
-#   build PRESET TARGET TESTS    configures build/PRESET when needed and builds TARGET (TESTS: ON or OFF)
-#   is_built PRESET TARGET       true when that would do nothing; reads only, some 20 ms
+#   use_packages GROUP...            installs what is missing of these groups of scripts/packages
+#   build PRESET TARGET [OPTION...]  configures build/PRESET when needed, these CMake options ON, and
+#                                    builds TARGET
+#   is_built PRESET TARGET           true when that would do nothing; reads only, some 20 ms
 #
 # Nothing here writes to standard output.  A failure ends the script with kSetupFailed.
 
@@ -63,14 +64,19 @@ use_packages() {
   fi
 }
 
-# The stamp holds the path of the checkout: a copied or moved build folder must not pass.
-is_configured() {
-  local dir=$root/build/$1
-  [[ -f $dir/build.ninja && -f $dir/.configured && $(< "$dir/.configured") == "$root" &&
-    ! $root/CMakePresets.json -nt $dir/.configured ]]
+# A copied or moved build folder still speaks of the checkout it was made for.
+is_ours() {
+  grep -qsxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$root/build/$1/CMakeCache.txt"
 }
 
-has_tests() { grep -q '^NDA_BUILD_TESTS:BOOL=ON$' "$root/build/$1/CMakeCache.txt" 2> /dev/null; }
+is_configured() {
+  local dir=$root/build/$1
+  [[ -f $dir/build.ninja && -f $dir/.configured && ! $root/CMakePresets.json -nt $dir/.configured ]] &&
+    is_ours "$1"
+}
+
+# Whether an option is ON in the build folder of a preset.
+is_on() { grep -q "^$2:BOOL=ON\$" "$root/build/$1/CMakeCache.txt" 2> /dev/null; }
 
 is_built() {
   is_configured "$1" && [[ $(ninja -C "$root/build/$1" -n "$2" 2> /dev/null) == *'no work to do'* ]]
@@ -85,22 +91,28 @@ logged() {
   die "failed: ${*:1:2} ...; the whole log is $log"
 }
 
+# configure PRESET SETTING...
 configure() {
-  local preset=$1 tests=$2 dir=$root/build/$1
-  if [[ -e $dir && ! (-f $dir/.configured && $(< "$dir/.configured") == "$root") ]]; then
-    rm -rf -- "$dir"
-  fi
+  local preset=$1 dir=$root/build/$1
+  shift
+  is_ours "$preset" || rm -rf -- "$dir"
   mkdir -p -- "$dir"
-  logged "$dir/configure.log" cmake -S "$root" --preset "$preset" "-DNDA_BUILD_TESTS=$tests"
-  printf '%s\n' "$root" > "$dir/.configured"
+  logged "$dir/configure.log" cmake -S "$root" --preset "$preset" "$@"
+  touch -- "$dir/.configured"
 }
 
 build() {
-  local preset=$1 target=$2 tests=$3 dir=$root/build/$1
-  if has_tests "$preset"; then tests=ON; fi
-  if ! is_configured "$preset" || { [[ $tests == ON ]] && ! has_tests "$preset"; }; then
-    configure "$preset" "$tests"
-  fi
+  local preset=$1 target=$2 dir=$root/build/$1 option changed=false
+  shift 2
+  local -a settings=()
+  for option in "$@"; do
+    is_on "$preset" "$option" || changed=true
+    settings+=("-D$option=ON")
+  done
+  # Tests are on by default; who only runs the program need not have what they need.
+  is_ours "$preset" || [[ " $* " == *" NDA_BUILD_TESTS "* ]] || settings+=(-DNDA_BUILD_TESTS=OFF)
+
+  if $changed || ! is_configured "$preset"; then configure "$preset" "${settings[@]}"; fi
   is_built "$preset" "$target" && return
   say "building (minutes the first time, seconds later); log in build/$preset/build.log"
   logged "$dir/build.log" cmake --build "$dir" --target "$target" --parallel "$(nproc)"

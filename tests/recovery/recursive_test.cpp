@@ -50,7 +50,7 @@ std::vector<Tuple> tuples_of(const Component& component) {
   return tuples;
 }
 
-// At u = 0 the pairs (1,1) and (2,2) are chosen.  Eq. (3.7): rows 1 and 2 own what continues them;
+// At u = 0 the pairs (1,1) and (2,2) are chosen.  By (3.7) rows 1 and 2 own what continues them,
 // (1,2,*) is gone.
 TEST(RecoveryProblem, MakesOneRowOfEveryAlignedPair) {
   const Component component = component_of(

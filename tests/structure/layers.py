@@ -33,11 +33,11 @@ LIBRARY = {
     "zlib.h": {"io"},
     "CLI/": {"cli"},
     "fmt/": {"io", "cli"},
-    "sys/": {"io", "solve", "mip", "cli"},
-    "unistd.h": {"io", "mip", "cli"},
-    "spawn.h": {"mip"},
-    "fcntl.h": {"io", "mip", "cli"},
 }
+
+# Headers of the operating system -> the folders that deal with it.
+SYSTEM = re.compile(r"sys/\w+\.h|(fcntl|pthread|signal|spawn|stdlib|unistd)\.h")
+SYSTEM_FOLDERS = {"io", "solve", "mip", "cli"}
 
 # Libraries that only one file of that folder may include.
 ONE_ADAPTER = {"lemon/", "nlopt"}
@@ -80,12 +80,10 @@ def project_fault(folder, header):
 def library_fault(folder, header):
     if is_standard(header):
         return None
-    library = library_of(header)
-    if library is None:
+    allowed = SYSTEM_FOLDERS if SYSTEM.fullmatch(header) else LIBRARY.get(library_of(header))
+    if allowed is None:
         return f"<{header}> belongs to no library listed in tests/structure/layers.py"
-    if folder in LIBRARY[library]:
-        return None
-    return f"<{header}> is for {sorted(LIBRARY[library])} only"
+    return None if folder in allowed else f"<{header}> is for {sorted(allowed)} only"
 
 
 def source_layers(root):

@@ -10,6 +10,7 @@ import unittest
 import docs
 import headers
 import layers
+import listed
 import program
 import style
 import tree
@@ -67,10 +68,17 @@ class Layers(CheckTest):
 
     def test_finds_each_library_outside_its_folder(self):
         foreign = ("boost/graph/x.hpp", "lemon/x.h", "nlopt.hpp", "Eigen/Core", "tbb/x.h", "oneapi/tbb.h",
-                   "nlohmann/json.hpp", "zlib.h", "CLI/CLI.hpp", "fmt/core.h", "sys/stat.h", "unistd.h", "fcntl.h")
+                   "nlohmann/json.hpp", "zlib.h", "CLI/CLI.hpp", "fmt/core.h")
         self.assertEqual(len(foreign), len(layers.LIBRARY))
         self.write("src/core/a.cpp", "".join(f"#include <{header}>\n" for header in foreign))
         self.expect(layers.source_layers, *(f"src/core/a.cpp:{n}" for n in range(1, len(foreign) + 1)))
+
+    def test_finds_the_operating_system_where_it_has_no_business(self):
+        text = "#include <unistd.h>\n#include <sys/stat.h>\n"
+        self.write("src/io/a.cpp", text)
+        self.expect(layers.source_layers)
+        self.write("src/dual/a.cpp", text)
+        self.expect(layers.source_layers, "src/dual/a.cpp:1", "src/dual/a.cpp:2")
 
     def test_finds_an_unknown_library(self):
         self.write("src/core/a.cpp", "#include <absl/status.h>\n")
@@ -92,6 +100,24 @@ class Layers(CheckTest):
         self.expect(layers.complete_umbrella)
         self.write("include/nda/b.hpp", "")
         self.expect(layers.complete_umbrella, "include/nda/nda.hpp:1")
+
+
+class Listed(CheckTest):
+    def test_finds_a_source_that_is_not_built(self):
+        self.write("src/core/CMakeLists.txt", "target_sources(nda PRIVATE a.cpp)  # b.cpp\n")
+        self.write("src/core/a.cpp", "")
+        self.expect(listed.sources)
+        self.write("src/core/b.cpp", "")
+        self.write("tests/core/b_test.cpp", "")
+        self.expect(listed.sources, "src/core/b.cpp:1", "tests/core/b_test.cpp:1")
+
+    def test_finds_a_folder_that_is_not_built(self):
+        self.write("CMakeLists.txt", "add_subdirectory(tests)\n")
+        self.write("tests/CMakeLists.txt", "foreach(folder core io)\n")
+        self.write("tests/io/CMakeLists.txt", "")
+        self.expect(listed.folders)
+        self.write("tests/mip/CMakeLists.txt", "")
+        self.expect(listed.folders, "tests/mip/CMakeLists.txt:1")
 
 
 @unittest.skipUnless(shutil.which("ctags"), "ctags is not installed")
