@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""A picture of one solve: best cost and lower bound against time.
+"""A picture of one solve: how cost and lower bound close in on each other.
 
     bench/convergence.py [FILE [SECONDS [PICTURE]]]
 
-Without FILE a tracking problem of 100 targets in dense clutter is generated; the picture goes to
+Without FILE a problem of 30 targets in crossing groups, eight scans, is generated; the picture goes to
 docs/images/convergence.png.  Needs build/release/nda and Debian's python3-matplotlib.
 """
 
@@ -35,14 +35,16 @@ def solver_log(path, seconds):
 
 def draw(rows, path):
     rows = [row for row in rows if row[2] > float("-inf")]
-    times = [max(row[0], 1e-3) for row in rows]
-    figure, axes = plt.subplots(figsize=(7, 3.6))
-    axes.step(times, [row[1] for row in rows], where="post", label="best assignment")
-    axes.step(times, [row[2] for row in rows], where="post", label="lower bound")
     best = rows[-1][1]
-    axes.set(xscale="log", xlabel="seconds", ylabel="cost", ylim=(1.15 * best, 0.85 * best))
-    axes.invert_yaxis()
-    axes.set_ylim(1.12 * best, 0.9 * best)
+    times = [max(row[0], 1e-4) for row in rows]
+
+    def distance(values):
+        return [max(1e-4, 100 * abs(value - best) / abs(best)) for value in values]
+
+    figure, axes = plt.subplots(figsize=(7, 3.4))
+    axes.step(times, distance(row[1] for row in rows), where="post", label="best assignment")
+    axes.step(times, distance(row[2] for row in rows), where="post", label="lower bound")
+    axes.set(yscale="log", xlabel="seconds", ylabel="distance from the last cost, %")
     axes.legend()
     figure.tight_layout()
     figure.savefig(path, dpi=110)
@@ -52,9 +54,9 @@ def main():
     picture = pathlib.Path(sys.argv[3]) if len(sys.argv) > 3 else ROOT / "docs/images/convergence.png"
     seconds = float(sys.argv[2]) if len(sys.argv) > 2 else 10.0
     with tempfile.TemporaryDirectory() as folder:
-        path = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else pathlib.Path(folder) / "medium.nda"
+        path = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else pathlib.Path(folder) / "hard8.nda"
         if len(sys.argv) <= 1:
-            subprocess.run([NDA, "generate", "tracking", "--preset", "medium", "--seed", "2", "-o", path], check=True)
+            subprocess.run([NDA, "generate", "groups", "--preset", "hard8", "--seed", "1", "-o", path], check=True)
         picture.parent.mkdir(parents=True, exist_ok=True)
         draw(solver_log(path, seconds), picture)
     print(picture)

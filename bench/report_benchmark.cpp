@@ -122,10 +122,10 @@ struct Reading {
   bool shifted;  // figures relative to the shifted optimum
 };
 
-constexpr Reading kReadings[] = {{"dummies priced, costs as given", true, false},
-                                 {"dummies priced, costs shifted", true, true},
-                                 {"full tuples, costs as given", false, false},
-                                 {"full tuples, costs shifted", false, true}};
+constexpr Reading kReadings[] = {{"dummies priced; costs as given", true, false},
+                                 {"dummies priced; costs shifted", true, true},
+                                 {"full tuples; costs as given", false, false},
+                                 {"full tuples; costs shifted", false, true}};
 
 // A quarter of the full tuples, costs uniform in [1, 100]; nothing may stay alone.
 nda::Problem full_tuples(std::uint64_t seed) {

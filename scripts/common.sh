@@ -102,7 +102,7 @@ build() {
     configure "$preset" "$tests"
   fi
   is_built "$preset" "$target" && return
-  say "building; log in build/$preset/build.log"
+  say "building (minutes the first time, seconds later); log in build/$preset/build.log"
   logged "$dir/build.log" cmake --build "$dir" --target "$target" --parallel "$(nproc)"
 }
 

@@ -15,6 +15,13 @@ namespace nda {
 /// How the dual function is maximised.
 enum class DualMethod { kBundleTrust, kSubgradient, kVolume, kCoordinate };
 
+/// How a relaxed solution is made feasible.
+enum class RecoveryMethod {
+  kRecursive,    ///< the report's recursion down to two dimensions
+  kDualGreedy,   ///< greedy by reduced cost: cheaper, not as good
+  kLocalSearch,  ///< the recursion, then descent by local search
+};
+
 /// How a component is solved.
 enum class Method {
   kAuto,        ///< small ones exactly, large ones by relaxation, fixing and branching
@@ -26,6 +33,7 @@ enum class Method {
 struct RelaxationOptions {
   DualMethod dual_method = DualMethod::kBundleTrust;
   Assign2dMethod assign2d = Assign2dMethod::kShortestPath;  ///< evaluates the dual function
+  RecoveryMethod recovery = RecoveryMethod::kRecursive;
   int max_evaluations = 300;         ///< of the dual function of each large component; >= 1
   int recovery_evaluations = 20;     ///< of each lower-dimensional recovery problem; >= 1
   int recovery_interval = 10;        ///< recover at every so many evaluations; >= 1
@@ -40,7 +48,8 @@ struct SearchOptions {
 
 /// Branch and bound.
 struct BranchOptions {
-  std::size_t exact_arcs = 60;  ///< components of at most so many arcs skip relaxation
+  std::size_t exact_arcs =
+      128;  ///< components of at most so many arcs are enumerated (docs/report.md)
   std::int64_t max_nodes = std::numeric_limits<std::int64_t>::max();  ///< per component; >= 0
   int node_evaluations = 60;  ///< of the dual function at a node; >= 1
 };

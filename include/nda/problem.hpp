@@ -96,7 +96,7 @@ class ProblemBuilder {
   std::size_t num_arcs() const { return problem_.costs_.size(); }
   std::span<const Index> sizes() const { return problem_.sizes_; }
 
-  /// Sorts, removes duplicates, and gives the problem away.  O(A log A), O(A) when already sorted.
+  /// Sorts, removes duplicates, and gives the problem away.  O(A N + sum of M_k).
   Problem build() &&;
 
  private:

@@ -56,27 +56,19 @@ void require_columns(const Assign2dProblem& problem) {
   }
 }
 
-// The problem of a dense matrix, with scipy's convention for the larger side.
-struct DenseInput {
-  std::vector<std::uint32_t> row_start;
-  std::vector<std::uint32_t> column;
-  std::vector<double> row_outside;
-  std::vector<double> column_outside;
-};
-
-DenseInput dense_input(std::uint32_t num_rows, std::uint32_t num_columns) {
-  DenseInput input;
-  input.row_outside.assign(num_rows, num_rows > num_columns ? 0 : kInfinity);
-  input.column_outside.assign(num_columns, num_columns > num_rows ? 0 : kInfinity);
-  input.row_start.reserve(num_rows + std::size_t{1});
-  input.column.reserve(std::size_t{num_rows} * num_columns);
-  input.row_start.push_back(0);
-  for (std::uint32_t i = 0; i < num_rows; ++i) {
-    for (std::uint32_t j = 0; j < num_columns; ++j) input.column.push_back(j);
-    input.row_start.push_back((i + 1) * num_columns);
+// The sparsity pattern of a full matrix.
+struct FullPattern {
+  FullPattern(std::uint32_t num_rows, std::uint32_t num_columns) {
+    column.reserve(std::size_t{num_rows} * num_columns);
+    for (std::uint32_t i = 0; i < num_rows; ++i) {
+      for (std::uint32_t j = 0; j < num_columns; ++j) column.push_back(j);
+      row_start.push_back(static_cast<std::uint32_t>(column.size()));
+    }
   }
-  return input;
-}
+
+  std::vector<std::uint32_t> row_start = {0};
+  std::vector<std::uint32_t> column;
+};
 
 }  // namespace
 
@@ -117,11 +109,16 @@ Assign2dResult assign2d(std::span<const double> cost_row_major,
                      std::to_string(num_columns));
   }
   require_costs("cost_row_major", cost_row_major);
-  const DenseInput input = dense_input(num_rows, num_columns);
+  const std::vector<double> row_outside(num_rows, num_rows > num_columns ? 0 : kInfinity);
+  const std::vector<double> column_outside(num_columns, num_columns > num_rows ? 0 : kInfinity);
   Assign2dResult result;
-  make_assign2d_solver(method)->solve(
-      {input.row_start, input.column, cost_row_major, input.row_outside, input.column_outside},
-      result);
+  if (method == Assign2dMethod::kShortestPath) {
+    lap::ShortestPathSolver().solve_matrix({cost_row_major, row_outside, column_outside}, result);
+  } else {
+    const FullPattern pattern(num_rows, num_columns);
+    make_assign2d_solver(method)->solve(
+        {pattern.row_start, pattern.column, cost_row_major, row_outside, column_outside}, result);
+  }
   return result;
 }
 

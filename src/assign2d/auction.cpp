@@ -29,7 +29,7 @@
 namespace nda::lap {
 namespace {
 
-constexpr double kFirstEpsilon = 0.25;  // of the largest cost
+constexpr double kFirstEpsilon = 0.01;  // of the largest cost
 constexpr double kEpsilonFactor = 0.2;  // from round to round
 constexpr double kLastEpsilon = 1e-4;   // of the largest cost
 constexpr std::size_t kBidsPerMember = 200;
@@ -95,8 +95,13 @@ bool AuctionSolver::run_round(const Assign2dProblem& problem,
 
 void AuctionSolver::do_solve(const Assign2dProblem& problem, Assign2dResult& result, bool warm) {
   const RowView by_rows{problem.row_start, problem.column, problem.cost};
-  const bool is_warm =
-      start(by_rows, problem.cost, problem.row_outside, problem.column_outside, result, warm);
+  const bool is_warm = start(by_rows,
+                             problem.cost,
+                             problem.row_outside,
+                             problem.column_outside,
+                             ColdStart::kColumnsSatisfied,
+                             result,
+                             warm);
   pair_of_row_.resize(problem.num_rows());
   const double scale = largest_finite(problem.cost);
   span_ = 2 * scale;

@@ -196,7 +196,13 @@ void CoreSolver::want_ways_out(const DenseProblem& problem, const Assign2dResult
 void CoreSolver::solve_matrix(const DenseProblem& problem, Assign2dResult& result, bool warm) {
   reserve(problem);
   const DenseView view{problem.cost.data(), problem.column_outside.size()};
-  start(view, problem.cost, problem.row_outside, problem.column_outside, result, warm);
+  start(view,
+        problem.cost,
+        problem.row_outside,
+        problem.column_outside,
+        ColdStart::kMiddle,
+        result,
+        warm);
   choose_core(problem, result);
   extend_core(problem);
   for (int round = 0; round < kMaxRounds; ++round) {

@@ -44,7 +44,13 @@ bool DenseSolver::serve(const DenseProblem& problem, Assign2dResult& result) {
 void DenseSolver::solve_matrix(const DenseProblem& problem, Assign2dResult& result, bool warm) {
   const DenseView view{problem.cost.data(), problem.column_outside.size()};
   paths_.resize(std::max(problem.num_rows(), problem.num_columns()));
-  start(view, problem.cost, problem.row_outside, problem.column_outside, result, warm);
+  start(view,
+        problem.cost,
+        problem.row_outside,
+        problem.column_outside,
+        ColdStart::kColumnsSatisfied,
+        result,
+        warm);
   match_tight_pairs(problem, result);
   const bool feasible = serve(problem, result);
   finish(problem.row_outside, problem.column_outside, feasible, result, [&](std::uint32_t i) {

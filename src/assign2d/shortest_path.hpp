@@ -13,7 +13,7 @@ namespace nda::lap {
 /// measured fastest (docs/assign2d.md).
 class ShortestPathSolver final : public Assign2dSolver {
  public:
-  void solve_matrix(const DenseProblem& problem, Assign2dResult& result, bool warm) {
+  void solve_matrix(const DenseProblem& problem, Assign2dResult& result, bool warm = false) {
     if (problem.cost.size() < kCoreSize) {
       dense_.solve_matrix(problem, result, warm);
     } else {

@@ -18,7 +18,7 @@
 namespace nda::lap {
 namespace {
 
-constexpr int kBidRounds = 5;  // more find little to do
+constexpr int kBidRounds = 10;  // more find little to do
 
 // The pair of row i and column j, kNone if there is none; looks at `guess` first.
 std::uint32_t former_pair(const Assign2dProblem& problem,
@@ -40,27 +40,24 @@ std::uint32_t former_pair(const Assign2dProblem& problem,
 }  // namespace
 
 void SparseSolver::match_tight_pairs(const Assign2dProblem& problem, Assign2dResult& result) {
+  const RowView by_rows{problem.row_start, problem.column, problem.cost};
+  const auto offer = [&](std::uint32_t k) { return problem.cost[k] - result.v[problem.column[k]]; };
   for (std::uint32_t i = 0; i < problem.num_rows(); ++i) {
-    const std::uint32_t end = problem.row_start[i + 1];
-    double least = problem.row_outside[i];
-    std::uint32_t best = kNone;
-    for (std::uint32_t k = problem.row_start[i]; k < end; ++k) {
-      const double offer = problem.cost[k] - result.v[problem.column[k]];
-      best = offer < least ? k : best;
-      least = offer < least ? offer : least;
-    }
-    const std::uint32_t former = former_pair(problem, i, result.column_of_row[i], pair_of_row_[i]);
-    if (former != kNone && problem.cost[former] - result.v[problem.column[former]] == least) {
-      best = former;
-    }
+    const double best = by_rows.least_offer(i, result.v);
+    const double least = std::min(best, problem.row_outside[i]);
+    std::uint32_t k = former_pair(problem, i, result.column_of_row[i], pair_of_row_[i]);
     result.u[i] = least == kInfinity ? 0 : least;
     result.column_of_row[i] = kUnassigned;
-    if (best == kNone || least == kInfinity) continue;
-    const std::uint32_t j = problem.column[best];
+    if (least == kInfinity) continue;
+    if (k == kNone || offer(k) != least) {
+      if (best >= problem.row_outside[i]) continue;
+      for (k = problem.row_start[i]; offer(k) != best;) ++k;
+    }
+    const std::uint32_t j = problem.column[k];
     if (result.row_of_column[j] != kUnassigned) continue;
     result.row_of_column[j] = static_cast<std::int32_t>(i);
     result.column_of_row[i] = static_cast<std::int32_t>(j);
-    pair_of_row_[i] = best;
+    pair_of_row_[i] = k;
   }
 }
 
@@ -89,6 +86,7 @@ void SparseSolver::do_solve(const Assign2dProblem& problem, Assign2dResult& resu
         problem.cost,
         problem.row_outside,
         problem.column_outside,
+        ColdStart::kMiddle,
         result,
         warm);
   match_tight_pairs(problem, result);

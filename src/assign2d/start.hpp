@@ -21,12 +21,17 @@ bool can_start_warm(std::span<const double> cost,
                     std::span<const double> column_outside,
                     const Assign2dResult& result);
 
+/// Where in the range of sensible prices a cold solve starts: as satisfies the columns, or in the
+/// middle, so that rows and columns both are in want.
+enum class ColdStart { kColumnsSatisfied, kMiddle };
+
 /// Start prices for a cold solve: v <= column_outside, finite.
 ///
-/// v = column_outside wherever that is of the size of the costs, so that columns are satisfied from
-/// the start.  A column that must be assigned, or whose outside option is out of proportion, gets
-/// min over i of c_ij - p_i instead (column reduction), where p_i is row_outside if in proportion
-/// (then rows are satisfied from the start and columns look for them) and a row minimum otherwise.
+/// The lowest sensible price is min over i of c_ij - p_i (column reduction), where p_i is
+/// row_outside if that is in proportion to the costs (rows are then satisfied) and a row minimum
+/// otherwise; the highest is column_outside (columns are then satisfied).  A column that must be
+/// assigned, or whose outside option is out of proportion, starts from the lowest, any other from
+/// the highest or from the middle of both.
 /// @param cost  those of `view`, which is RowView or DenseView of the rows.
 /// @param result  sized; its u is scratch.
 template <class View>
@@ -34,28 +39,31 @@ void cold_prices(const View& view,
                  std::span<const double> cost,
                  std::span<const double> row_outside,
                  std::span<const double> column_outside,
+                 ColdStart where,
                  Assign2dResult& result) {
   const std::span<double> v = result.v;
   std::copy(column_outside.begin(), column_outside.end(), v.begin());
   const double most = v.empty() ? 0 : *std::max_element(v.begin(), v.end());
-  if (most <= 0) return;
-  const double least = *std::min_element(v.begin(), v.end());
-  const double in_proportion = least < kInfinity ? largest_magnitude(cost) : 0;
-  if (most <= in_proportion) return;
+  const double least = v.empty() ? 0 : *std::min_element(v.begin(), v.end());
+  const double in_proportion = most > 0 && least < kInfinity ? largest_magnitude(cost) : 0;
+  if (most <= in_proportion && where == ColdStart::kColumnsSatisfied) return;
 
   const std::span<double> potential = result.u;
   for (double& price : v) price = std::min(price, in_proportion);
   for (std::uint32_t i = 0; i < row_outside.size(); ++i) {
-    const bool is_proportionate = row_outside[i] <= in_proportion;
-    potential[i] =
-        is_proportionate ? row_outside[i] : std::min(row_outside[i], view.least_offer(i, v));
+    potential[i] = row_outside[i] <= in_proportion
+                       ? row_outside[i]
+                       : std::min(row_outside[i], view.least_offer(i, v));
   }
   std::copy(column_outside.begin(), column_outside.end(), v.begin());
   for (std::uint32_t i = 0; i < row_outside.size(); ++i) {
     if (potential[i] < kInfinity) view.lower_bounds(i, potential[i], v);
   }
+  const double share = where == ColdStart::kMiddle ? 0.5 : 0;
   for (std::size_t j = 0; j < v.size(); ++j) {
-    if (column_outside[j] <= in_proportion) v[j] = column_outside[j];
+    if (column_outside[j] <= in_proportion) {
+      v[j] = column_outside[j] - share * (column_outside[j] - v[j]);
+    }
     if (v[j] == kInfinity) v[j] = 0;
   }
 }
@@ -68,6 +76,7 @@ bool start(const View& view,
            std::span<const double> cost,
            std::span<const double> row_outside,
            std::span<const double> column_outside,
+           ColdStart where,
            Assign2dResult& result,
            bool warm) {
   warm = warm && can_start_warm(cost, row_outside, column_outside, result);
@@ -78,7 +87,7 @@ bool start(const View& view,
     }
   } else {
     std::fill(result.column_of_row.begin(), result.column_of_row.end(), kUnassigned);
-    cold_prices(view, cost, row_outside, column_outside, result);
+    cold_prices(view, cost, row_outside, column_outside, where, result);
   }
   return warm;
 }

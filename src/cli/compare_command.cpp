@@ -1,6 +1,5 @@
-#include <pthread.h>
-
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
@@ -99,7 +98,9 @@ mip::Watcher progress_of(const std::string& file) {
     std::cerr << file << ": " << method.name << " ..." << std::flush;
   };
   watcher.after = [](const mip::MethodResult& result) {
-    std::cerr << ' ' << result.status << ", " << result.seconds << " s\n";
+    char seconds[32];
+    std::snprintf(seconds, sizeof seconds, "%.4f", result.seconds);
+    std::cerr << ' ' << result.status << ", " << seconds << " s\n";
   };
   return watcher;
 }

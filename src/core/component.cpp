@@ -12,7 +12,9 @@ struct ComponentSource {
   std::size_t num_dimensions() const { return component.sizes.size(); }
   std::size_t num_slots() const { return component.num_slots(); }
   std::uint32_t offset(std::size_t k) const { return component.offset[k]; }
-  std::span<const Index> column(std::size_t k) const { return component.indices[k]; }
+  std::span<const Index> column(std::size_t k) const {
+    return {component.indices[k].data(), component.num_arcs()};
+  }
   double cost(ArcId a) const { return component.costs[a]; }
   ArcId arc_origin(ArcId a) const { return original_arc(component, a); }
   std::uint8_t dimension(std::size_t k) const { return component.dimensions[k]; }
@@ -54,6 +56,18 @@ Component make_component(std::vector<Index> sizes) {
 void append_arc(Component& component, std::span<const Index> tuple, double cost) {
   for (std::size_t k = 0; k < tuple.size(); ++k) component.indices[k].push_back(tuple[k]);
   component.costs.push_back(cost);
+}
+
+Component whole_problem(const Problem& problem, const Shift& shift) {
+  Component component = make_component({problem.sizes().begin(), problem.sizes().end()});
+  for (int k = 0; k < problem.num_dimensions(); ++k) {
+    component.indices[static_cast<std::size_t>(k)] = Column::borrow(problem.indices(k));
+  }
+  component.costs.reserve(problem.num_arcs());
+  for (std::size_t a = 0; a < problem.num_arcs(); ++a) {
+    component.costs.push_back(shifted_cost(problem, shift, a));
+  }
+  return component;
 }
 
 std::vector<ArcId> arcs_from_original(const Component& component, std::vector<ArcId> originals) {
@@ -116,7 +130,7 @@ Component Cutter::cut_from(const Source& source, std::span<const ArcId> arcs) {
     }
     part.sizes.push_back(size);
     const std::span<const Index> column = source.column(k);
-    std::vector<Index>& copy = part.indices.emplace_back();
+    Column& copy = part.indices.emplace_back();
     copy.reserve(arcs.size());
     for (const ArcId a : arcs) {
       copy.push_back(column[a] == 0 ? 0 : number_[source.offset(k) + column[a]]);

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/column.hpp"
 #include "core/shift.hpp"
 #include "nda/problem.hpp"
 #include "nda/types.hpp"
@@ -24,10 +25,10 @@ using ArcId = std::uint32_t;
 /// A *slot* numbers the pair (dimension k, index i) as offset[k] + i, dummies included; vectors
 /// over slots (multipliers, owners) have num_slots() entries, and those of the dummies stay 0.
 struct Component {
-  std::vector<Index> sizes;                 ///< M_k
-  std::vector<std::uint32_t> offset;        ///< first slot (the dummy) of dimension k
-  std::vector<std::vector<Index>> indices;  ///< [k][a], 0 = dummy; arcs in lexicographic order
-  std::vector<double> costs;                ///< shifted cost c'[a]
+  std::vector<Index> sizes;           ///< M_k
+  std::vector<std::uint32_t> offset;  ///< first slot (the dummy) of dimension k
+  std::vector<Column> indices;        ///< [k][a], 0 = dummy; arcs in lexicographic order
+  std::vector<double> costs;          ///< shifted cost c'[a]
 
   /// Where an arc came from: its number in the problem or component that was cut first; empty if
   /// this one was not cut out of another.
@@ -64,6 +65,11 @@ Component make_component(std::vector<Index> sizes);
 /// Appends an arc given by its indices (num_dimensions() entries); arcs must come in lexicographic
 /// order.
 void append_arc(Component& component, std::span<const Index> tuple, double cost);
+
+/// The whole problem as one component, with shifted costs and borrowed columns: 8 bytes an arc.
+/// Arcs with c' >= 0 are kept, and indices that no arc uses; neither can harm.  The problem must
+/// outlive it.
+Component whole_problem(const Problem& problem, const Shift& shift);
 
 /// Cuts components out of a problem or a component; keeps its scratch memory between calls.
 class Cutter {

@@ -8,8 +8,10 @@
 
 // A problem is stored as structure of arrays, arcs in lexicographic order: the first two dimensions
 // of consecutive arcs then agree for long stretches, which is what the collapse of eq. (3.3) wants.
-// Sorting moves one column at a time through a permutation, so that building needs 4 bytes an arc
-// plus one column beyond the problem itself.
+// Arcs are sorted by one stable counting sort per dimension, the last dimension first (radix sort
+// with the dimensions as digits): O(A N + sum M_k) against O(A N log A) of comparisons.  The sort
+// moves a permutation and then one column at a time, so that building needs 8 bytes an arc plus one
+// column beyond the problem itself.
 
 namespace nda {
 namespace {
@@ -24,14 +26,36 @@ int compare(const Columns& columns, std::size_t a, std::size_t b) {
   return 0;
 }
 
-std::vector<std::uint32_t> sorted_order(const Columns& columns, std::span<const double> costs) {
-  std::vector<std::uint32_t> order(costs.size());
+using Order = std::vector<std::uint32_t>;
+
+// Sorts by one column; arcs of equal index keep their order.
+void sort_by(const std::vector<Index>& column, Index size, Order& order, Order& scratch) {
+  std::vector<std::uint32_t> next(size + std::size_t{2}, 0);
+  for (const Index i : column) ++next[i + std::size_t{1}];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  for (const std::uint32_t a : order) scratch[next[column[a]]++] = a;
+  order.swap(scratch);
+}
+
+Order sorted_order(const Columns& columns, const std::vector<Index>& sizes) {
+  Order order(columns.front().size());
+  Order scratch(order.size());
   std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const int sign = compare(columns, a, b);
-    return sign != 0 ? sign < 0 : (costs[a] != costs[b] ? costs[a] < costs[b] : a < b);
-  });
+  for (std::size_t k = columns.size(); k-- > 0;) sort_by(columns[k], sizes[k], order, scratch);
   return order;
+}
+
+// Keeps the first of the cheapest among equal tuples, which stand side by side in the order.
+void keep_cheapest(const Columns& columns, const std::vector<double>& costs, Order& order) {
+  std::size_t last = 0;
+  for (std::size_t n = 1; n < order.size(); ++n) {
+    if (compare(columns, order[last], order[n]) != 0) {
+      order[++last] = order[n];
+    } else if (costs[order[n]] < costs[order[last]]) {
+      order[last] = order[n];
+    }
+  }
+  order.resize(last + 1);
 }
 
 bool strictly_sorted(const Columns& columns, std::size_t num_arcs) {
@@ -141,13 +165,9 @@ Problem ProblemBuilder::build() && {
   Columns& columns = problem_.indices_;
   std::vector<double>& costs = problem_.costs_;
   if (!strictly_sorted(columns, costs.size())) {
-    std::vector<std::uint32_t> order = sorted_order(columns, costs);
-    const auto repeats =
-        std::unique(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-          return compare(columns, a, b) == 0;
-        });
-    problem_.num_duplicates_ += static_cast<std::size_t>(order.end() - repeats);
-    order.erase(repeats, order.end());
+    Order order = sorted_order(columns, problem_.sizes_);
+    keep_cheapest(columns, costs, order);
+    problem_.num_duplicates_ += costs.size() - order.size();
     for (std::vector<Index>& column : columns) permute(column, order);
     permute(costs, order);
   } else {

@@ -9,12 +9,13 @@
 #include "nda/types.hpp"
 
 // The sizes of a CSV file are known only at its end.  Rows are therefore kept in blocks, which are
-// given back one by one while the builder takes the rows over.
+// given back one by one while the builder takes the rows over; they are large enough for the
+// allocator to return them to the system, so that the arcs are never in memory twice.
 
 namespace nda::io {
 namespace {
 
-constexpr std::size_t kRowsPerBlock = 4096;
+constexpr std::size_t kRowsPerBlock = std::size_t{1} << 16;
 
 struct Block {
   std::vector<Index> indices;  // N per row
@@ -46,8 +47,9 @@ class CsvReader {
   }
 
   void read_header() {
-    if (!scanner_.next_line())
+    if (!scanner_.next_line()) {
       scanner_.fail("expected the header 'i1,...,iN,cost', found the end of the file");
+    }
     for (;;) {
       const std::string expected = std::string("i").append(std::to_string(sizes_.size() + 1));
       const std::string field = header_field();
@@ -68,11 +70,7 @@ class CsvReader {
   }
 
   void read_row() {
-    if (blocks_.empty() || blocks_.back().costs.size() == kRowsPerBlock) {
-      blocks_.emplace_back();
-      blocks_.back().indices.reserve(kRowsPerBlock * sizes_.size());
-      blocks_.back().costs.reserve(kRowsPerBlock);
-    }
+    if (blocks_.empty() || blocks_.back().costs.size() == kRowsPerBlock) add_block();
     Block& block = blocks_.back();
     bool any_real = false;
     for (std::size_t k = 0; k < sizes_.size(); ++k) {
@@ -85,6 +83,14 @@ class CsvReader {
     if (!any_real) scanner_.fail("all indices of the tuple are 0");
     block.costs.push_back(read_cost(scanner_));
     scanner_.finish_line();
+  }
+
+  void add_block() {
+    const std::size_t least_bytes = 2 * sizes_.size() + 1;  // "0,0,0" without its newline
+    const std::size_t num_rows = std::min(kRowsPerBlock, scanner_.max_bytes() / least_bytes + 1);
+    blocks_.emplace_back();
+    blocks_.back().indices.reserve(num_rows * sizes_.size());
+    blocks_.back().costs.reserve(num_rows);
   }
 
   void enlarge(std::size_t k, Index size) {
@@ -112,7 +118,9 @@ class CsvReader {
   Problem build() {
     const std::size_t n = sizes_.size();
     ProblemBuilder builder(sizes_);
-    builder.reserve(blocks_.size() * kRowsPerBlock);
+    if (!blocks_.empty()) {
+      builder.reserve((blocks_.size() - 1) * kRowsPerBlock + blocks_.back().costs.size());
+    }
     for (; !blocks_.empty(); blocks_.pop_front()) {
       const Block& block = blocks_.front();
       for (std::size_t row = 0; row < block.costs.size(); ++row) {

@@ -15,27 +15,70 @@ using core::ArcId;
 using core::Component;
 using core::Packing;
 
+namespace {
+
+// The smallest of a stream of (reduced cost, arc), found in memory for twice as many.
+class Cheapest {
+ public:
+  Cheapest(double below, std::size_t limit) : below_(below), limit_(limit) {}
+
+  void add(double r, ArcId a) {
+    if (r >= below_) return;
+    entries_.push_back({r, a});
+    if (entries_.size() >= 2 * limit_) {
+      cut();
+      below_ = std::max_element(entries_.begin(), entries_.end())->first;
+    }
+  }
+
+  void append_to(std::vector<ArcId>& arcs) {
+    if (entries_.size() > limit_) cut();
+    for (const auto& entry : entries_) arcs.push_back(entry.second);
+  }
+
+ private:
+  void cut() {
+    const auto middle = entries_.begin() + static_cast<std::ptrdiff_t>(limit_);
+    std::nth_element(entries_.begin(), middle, entries_.end());
+    entries_.erase(middle, entries_.end());
+  }
+
+  double below_;
+  const std::size_t limit_;
+  std::vector<std::pair<double, ArcId>> entries_;
+};
+
+// A core larger than this would no longer be quick to search, nor small beside its component.
+constexpr std::size_t kMostCoreArcs = 300000;
+
+}  // namespace
+
 std::vector<ArcId> core_arcs(const Component& component,
                              std::span<const double> u,
                              double gap,
                              std::size_t arcs_per_index,
                              std::span<const ArcId> keep) {
-  std::vector<std::pair<double, ArcId>> ranked;
+  const std::size_t limit = std::min(arcs_per_index * component.num_indices(), kMostCoreArcs);
+  Cheapest cheapest(gap, std::max<std::size_t>(1, limit));
   for (ArcId a = 0; a < component.num_arcs(); ++a) {
-    const double r = core::reduced_cost(component, u, a);
-    if (r < gap) ranked.push_back({r, a});
-  }
-  const std::size_t limit = arcs_per_index * component.num_indices();
-  if (ranked.size() > limit) {
-    std::nth_element(
-        ranked.begin(), ranked.begin() + static_cast<std::ptrdiff_t>(limit), ranked.end());
-    ranked.resize(limit);
+    cheapest.add(core::reduced_cost(component, u, a), a);
   }
   std::vector<ArcId> arcs(keep.begin(), keep.end());
-  for (const auto& entry : ranked) arcs.push_back(entry.second);
+  cheapest.append_to(arcs);
   std::sort(arcs.begin(), arcs.end());
   arcs.erase(std::unique(arcs.begin(), arcs.end()), arcs.end());
   return arcs;
+}
+
+Packing greedy_in_core(const Component& component,
+                       std::span<const double> u,
+                       std::size_t arcs_per_index) {
+  const std::vector<ArcId> arcs = core_arcs(component, u, kInfinity, arcs_per_index, {});
+  core::Cutter cutter;
+  const Component core = cutter.cut(component, arcs);
+  Packing packing = greedy(core, core.costs);
+  for (ArcId& a : packing.arcs) a = arcs[a];
+  return packing;
 }
 
 Packing search_core(const Component& component,

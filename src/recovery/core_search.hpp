@@ -27,6 +27,11 @@ std::vector<core::ArcId> core_arcs(const core::Component& component,
                                    std::size_t arcs_per_index,
                                    std::span<const core::ArcId> keep);
 
+/// Greedy by cost within the core of all arcs: the first solution, in memory independent of A.
+core::Packing greedy_in_core(const core::Component& component,
+                             std::span<const double> u,
+                             std::size_t arcs_per_index);
+
 /// Local search within the core, from `start`, or from the dual-guided greedy packing if start is
 /// empty. Never returns a packing dearer than `start`.  O(A N) to find the core, then independent
 /// of A.

@@ -50,8 +50,8 @@ void collapse_cells(const Component& component,
 
 Cells find_cells(const Component& component) {
   Cells cells;
-  const std::vector<Index>& row = component.indices[0];
-  const std::vector<Index>& column = component.indices[1];
+  const core::Column& row = component.indices[0];
+  const core::Column& column = component.indices[1];
   for (ArcId a = 0; a < component.num_arcs(); ++a) {
     if (a > 0 && row[a] == row[a - 1] && column[a] == column[a - 1]) continue;
     cells.first_arc.push_back(a);

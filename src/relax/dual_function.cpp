@@ -171,31 +171,29 @@ void DualFunction::use(ArcId a, std::span<double> subgradient) {
   }
 }
 
-void DualFunction::multipliers(std::span<const double> u, std::span<double> all) const {
-  std::fill(all.begin(), all.end(), 0.0);
+void DualFunction::multipliers(std::span<double> all) const {
   const Assign2dResult& result = assignment_->result;
   std::copy(result.u.begin(), result.u.end(), all.begin() + component_.offset[0] + 1);
   std::copy(result.v.begin(), result.v.end(), all.begin() + component_.offset[1] + 1);
-  for (std::size_t j = 0; j < u.size(); ++j) all[first_slot_ + j] = std::min(0.0, u[j]);
+  for (std::size_t slot = first_slot_; slot < num_slots_; ++slot) {
+    all[slot] = std::min(0.0, slot_u_[slot]);
+  }
   for (const std::uint32_t dummy : component_.offset) all[dummy] = 0.0;
 }
 
+// Reduced costs are computed again for every dimension rather than kept: that costs no more time
+// than reading and writing them, and no memory.
 double make_feasible(const Component& component, std::span<double> u) {
-  std::vector<double> r(component.num_arcs());
-  for (ArcId a = 0; a < component.num_arcs(); ++a) r[a] = core::reduced_cost(component, u, a);
   std::vector<double> least;
   for (std::size_t k = component.sizes.size(); k-- > 0;) {
-    const std::vector<Index>& index = component.indices[k];
+    const core::Column& index = component.indices[k];
     const std::span<double> block = u.subspan(component.offset[k], component.sizes[k] + 1);
     least.assign(block.size(), kInfinity);
-    for (std::size_t a = 0; a < r.size(); ++a) least[index[a]] = std::min(least[index[a]], r[a]);
-    least[0] = 0;
-    for (std::size_t i = 1; i < block.size(); ++i) {
-      const double raised = std::min(0.0, block[i] + least[i]);
-      least[i] = raised - block[i];
-      block[i] = raised;
+    for (ArcId a = 0; a < component.num_arcs(); ++a) {
+      if (index[a] == 0) continue;
+      least[index[a]] = std::min(least[index[a]], core::reduced_cost(component, u, a));
     }
-    for (std::size_t a = 0; a < r.size(); ++a) r[a] -= least[index[a]];
+    for (std::size_t i = 1; i < block.size(); ++i) block[i] = std::min(0.0, block[i] + least[i]);
   }
   double sum = 0;
   for (const double multiplier : u) sum += multiplier;

@@ -57,7 +57,7 @@ class DualFunction : public dual::ConcaveFunction {
   /// Multipliers of all slots at the last evaluated u: the assignment's duals for dimensions 0 and
   /// 1, min(0, u) for the others.  They prove q(u) up to the arcs of cell (0, 0): see
   /// make_feasible().
-  void multipliers(std::span<const double> u, std::span<double> all) const;
+  void multipliers(std::span<double> all) const;
 
   /// Seconds spent in the collapse so far (the lower line of the report's figure 5.1).
   double collapse_seconds() const { return collapse_seconds_; }

@@ -35,7 +35,7 @@ class Loop {
     if (iterate.value > best_value_) {
       best_value_ = iterate.value;
       best_point_.assign(iterate.point.begin(), iterate.point.end());
-      function_.multipliers(iterate.point, best_multipliers_);
+      function_.multipliers(best_multipliers_);
     }
     if (options_.recovery_interval > 0 &&
         (result_.evaluations - 1) % options_.recovery_interval == 0) {

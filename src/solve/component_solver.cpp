@@ -10,7 +10,7 @@
 #include "decompose/components.hpp"
 #include "decompose/reduced_cost_fixing.hpp"
 #include "recovery/core_search.hpp"
-#include "recovery/greedy.hpp"
+#include "recovery/recovery.hpp"
 #include "recovery/recursive.hpp"
 #include "relax/lagrangian.hpp"
 
@@ -102,7 +102,9 @@ void ComponentSolver::start() {
       component_.num_arcs() <= options_.branch.exact_arcs || options_.method == Method::kExact;
   if (small && options_.branch.max_nodes > 0) enumerate();
   if (state_.complete) return;
-  offer(recovery::greedy(component_, component_.costs), "greedy");
+  offer(
+      recovery::greedy_in_core(component_, state_.u, recovery::CoreSearchOptions{}.arcs_per_index),
+      "greedy");
   relax();
   search(1);
 }
@@ -158,10 +160,11 @@ void ComponentSolver::relax() {
   loop.max_evaluations = options_.relaxation.max_evaluations;
   loop.recovery_interval = options_.relaxation.recovery_interval;
   loop.goal = cutoff();
+  const auto recovery = recovery::make_recovery(
+      options_.relaxation.recovery, component_, options_.relaxation, deadline_);
   const auto recover = [&](const relax::DualFunction& point) {
-    Packing packing =
-        recovery::recover_recursively(component_, point, options_.relaxation, deadline_);
-    offer(packing, "recovery");
+    Packing packing = recovery->recover(point);
+    offer(packing, recovery->name());
     return packing;
   };
   accept_dual(relax::maximize_dual(component_, {}, loop, recover), "relaxation");

@@ -37,6 +37,8 @@ using pipeline::Monitor;
 // What merging takes per arc: the certificate, in double-double.
 constexpr double kMergeSecondsPerArc = 1e-8;
 
+constexpr double kWholeShare = 0.9;
+
 // Beyond this sums and squares of costs might overflow.
 constexpr double kLargestCost = 1e100;
 
@@ -131,11 +133,25 @@ class Pipeline {
 
   void start(std::size_t p, Monitor& monitor) {
     Part& part = parts_[p];
-    core::Cutter cutter;
-    part.component = cutter.cut(problem_, shift_, partition_.component(p));
+    if (mostly_whole()) {
+      partition_ = {};
+      part.component = core::whole_problem(problem_, shift_);
+    } else {
+      core::Cutter cutter;
+      part.component = cutter.cut(problem_, shift_, partition_.component(p));
+    }
     part.solver = std::make_unique<ComponentSolver>(
         part.component, options_, grid_, options_.seed + 1000003 * p, deadline_, monitor);
     part.solver->start();
+  }
+
+  // One component with nearly all arcs: then a copy would only cost memory.
+  bool mostly_whole() const {
+    return partition_.num_components() == 1 &&
+           static_cast<double>(partition_.arcs.size()) >
+               kWholeShare * static_cast<double>(problem_.num_arcs()) &&
+           std::find(problem_.sizes().begin(), problem_.sizes().end(), 0u) ==
+               problem_.sizes().end();
   }
 
   // The absolute gap that may stay open.  The final cost lies between the bounds of now, so it is

@@ -63,9 +63,9 @@ void expect_optimum(const OwnedProblem& problem, const Assign2dResult& result) {
   ASSERT_NEAR(result.cost, optimum, 1e-12 * members * support::cost_scale(problem.view()));
 }
 
-// Rows 2 and 3 want column 1; the detour over column 2 costs row 1 one more.
-//       1  4  -     Optimum 1 + 2 + 2 = 5 on the pairs (1,1) (2,2) (3,3) (counting from 1).
-//       1  2  5     Duals u = (1, 2, 3), v = (0, 0, -1): 1 + 2 + 3 + 0 + 0 - 1 = 5.
+// Rows 0 and 1 want column 0; the detour over column 1 costs row 1 one more, row 0 three more.
+//       1  4  -     Optimum 1 + 2 + 2 = 5 on the diagonal.
+//       1  2  5     Duals u = (1, 1, 2), v = (0, 1, 0): 4 + 1 = 5.
 //       3  -  2     All must be assigned.
 TEST_P(Assign2dSolvers, SolveATinyPerfectAssignment) {
   const OwnedProblem problem = from_matrix({{1, 4, kAbsent}, {1, 2, 5}, {3, kAbsent, 2}},
@@ -76,10 +76,8 @@ TEST_P(Assign2dSolvers, SolveATinyPerfectAssignment) {
   EXPECT_THAT(result.column_of_row, ElementsAre(0, 1, 2));
 }
 
-//      -5 -4 | 0    The row outside costs 0, 0, the column outside costs 0, 1: rows share column 1
-//      badly; -6 -1 | 0    optimum (1,2) (2,1) = -10.  With v = (-2, -1)? u = (-3, -4): sum -10, u
-//      + v <= c.
-//       0  1
+//      -5 -4     Outside costs: rows 0, 0; columns 0, 1.
+//      -6 -1     Optimum -4 - 6 = -10.  Duals u = (-5, -4), v = (-2, 1): -9 - 1 = -10.
 TEST_P(Assign2dSolvers, SolveATinyTrackingProblem) {
   const OwnedProblem problem = from_matrix({{-5, -4}, {-6, -1}}, {0, 0}, {0, 1});
   const Assign2dResult result = solve(problem);
@@ -157,6 +155,44 @@ TEST_P(Assign2dSolvers, ProveTheOptimumOfLargerRandomProblems) {
     solver_->solve(problem.view(), result);
     ASSERT_THAT(support::faults_of(problem.view(), result), IsEmpty());
   }
+}
+
+// Large enough for cores, blocks and long bidding wars.
+TEST_P(Assign2dSolvers, ProveTheOptimumOfDenseProblems) {
+  Random random(8);
+  Assign2dResult result;
+  for (const double highest : {1.0, 3.0, 1000.0}) {
+    for (const bool integer : {false, true}) {
+      for (const double must : {0.0, 0.5, 1.0}) {
+        SCOPED_TRACE(::testing::Message() << highest << " " << integer << " " << must);
+        Recipe recipe;
+        recipe.num_rows = 150 + below(random, 2) * 13;
+        recipe.num_columns = recipe.num_rows + below(random, 2) * 7;
+        recipe.lowest = 0;
+        recipe.highest = highest;
+        recipe.integer = integer;
+        recipe.must_rows = must;
+        recipe.must_columns = recipe.num_rows == recipe.num_columns ? must : 0;
+        const OwnedProblem problem = random_problem(recipe, random);
+        solver_->solve(problem.view(), result);
+        ASSERT_THAT(support::faults_of(problem.view(), result), IsEmpty());
+        EXPECT_TRUE(result.feasible);
+      }
+    }
+  }
+}
+
+// 160 rows and columns; the last 20 rows know only 19 columns, which everybody knows.
+TEST_P(Assign2dSolvers, NameTheHallSetOfALargeMatrix) {
+  Random random(9);
+  Recipe recipe;
+  recipe.num_rows = recipe.num_columns = 160;
+  recipe.must_rows = recipe.must_columns = 1;
+  OwnedProblem problem = random_problem(recipe, random);
+  for (std::uint32_t i = 140; i < 160; ++i) {
+    for (std::uint32_t j = 19; j < 160; ++j) problem.cost[i * 160 + j] = kInfinity;
+  }
+  EXPECT_FALSE(solve(problem).feasible);
 }
 
 // Changes costs as a dual loop does: a few, or all a little, or everything.

@@ -3,6 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/random.hpp"
+
 namespace nda {
 namespace {
 
@@ -39,6 +45,33 @@ TEST(ProblemBuilder, KeepsTheCheapestOfEqualTuples) {
   EXPECT_EQ(problem.num_duplicates(), 3u);
   EXPECT_THAT(problem.singleton_costs(0), ElementsAre(0, 0));
   EXPECT_THAT(problem.singleton_costs(1), ElementsAre(0, 3));
+}
+
+TEST(ProblemBuilder, SortsAndMergesLikeAMapOfTuples) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(seed);
+    core::Random random(seed);
+    const std::vector<Index> sizes = {3, 40, 1, 7};
+    std::map<std::vector<Index>, double> expected;
+    ProblemBuilder builder(sizes);
+    for (int a = 0; a < 300; ++a) {
+      std::vector<Index> tuple;
+      for (const Index size : sizes) tuple.push_back(static_cast<Index>(random.below(size + 1)));
+      if (std::count(tuple.begin(), tuple.end(), 0u) > 2) continue;
+      const double cost = std::floor(random.uniform(0, 5));
+      builder.add_arc(tuple, cost);
+      const auto [place, is_new] = expected.try_emplace(tuple, cost);
+      if (!is_new) place->second = std::min(place->second, cost);
+    }
+    const Problem problem = std::move(builder).build();
+    ASSERT_EQ(problem.num_arcs(), expected.size());
+    std::size_t a = 0;
+    for (const auto& [tuple, cost] : expected) {
+      EXPECT_EQ(problem.arc(a), tuple);
+      EXPECT_EQ(problem.costs()[a], cost);
+      ++a;
+    }
+  }
 }
 
 TEST(ProblemBuilder, DropsForbiddenArcsAndKeepsForbiddenSingletons) {

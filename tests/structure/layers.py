@@ -33,9 +33,10 @@ LIBRARY = {
     "zlib.h": {"io"},
     "CLI/": {"cli"},
     "fmt/": {"io", "cli"},
-    "sys/": {"io", "solve", "cli"},
-    "unistd.h": {"io", "cli"},
-    "fcntl.h": {"io", "cli"},
+    "sys/": {"io", "solve", "mip", "cli"},
+    "unistd.h": {"io", "mip", "cli"},
+    "spawn.h": {"mip"},
+    "fcntl.h": {"io", "mip", "cli"},
 }
 
 # Libraries that only one file of that folder may include.

@@ -10,6 +10,7 @@ import unittest
 import docs
 import headers
 import layers
+import program
 import style
 import tree
 
@@ -189,6 +190,19 @@ class Docs(CheckTest):
         self.expect(docs.readme_example, "README.md:3")
         self.write("README.md", "Nothing to see\n")
         self.expect(docs.readme_example, "README.md:1")
+
+
+class Program(CheckTest):
+    def check(self, root):
+        return program.commands(root, root / "fake")
+
+    def test_finds_commands_that_readme_and_program_do_not_share(self):
+        self.write("fake", "#!/bin/sh\nprintf 'Subcommands:\\n  solve  it\\n         well\\n  info   x\\n\\n  note x\\n'\n",
+                   executable=True)
+        self.write("README.md", "| `nda solve FILE` | solves |\n| `nda info FILE` | tells |\n")
+        self.expect(self.check)
+        self.write("README.md", "| `nda solve FILE` | solves |\n| `nda guess` | guesses |\n")
+        self.expect(self.check, "README.md:1", "README.md:2")
 
 
 class Tree(CheckTest):
