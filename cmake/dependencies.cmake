@@ -5,7 +5,6 @@ find_package(NLopt CONFIG REQUIRED)
 find_package(TBB CONFIG REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(nlohmann_json CONFIG REQUIRED)
-find_package(fmt CONFIG REQUIRED)
 find_package(Threads REQUIRED)
 include(${CMAKE_CURRENT_LIST_DIR}/lemon.cmake)
 
@@ -13,4 +12,4 @@ include(${CMAKE_CURRENT_LIST_DIR}/lemon.cmake)
 set(NDA_DEPENDENCIES
   $<BUILD_INTERFACE:Boost::headers> $<BUILD_INTERFACE:Eigen3::Eigen>
   $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>
-  NLopt::nlopt TBB::tbb ZLIB::ZLIB fmt::fmt nda::lemon Threads::Threads)
+  NLopt::nlopt TBB::tbb ZLIB::ZLIB nda::lemon Threads::Threads)

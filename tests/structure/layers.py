@@ -32,7 +32,6 @@ LIBRARY = {
     "nlohmann/": {"io"},
     "zlib.h": {"io"},
     "CLI/": {"cli"},
-    "fmt/": {"io", "cli"},
 }
 
 # Headers of the operating system -> the folders that deal with it.
