@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "dual/maximize.hpp"
+#include "relax/separable_dual.hpp"
 
 // The report recovers once, from the optimal multipliers; but its own implementation recovers at
 // every nonsmooth step once the problem is three-dimensional, because neighbouring multipliers give
@@ -72,12 +73,46 @@ class Loop {
   LagrangianResult result_;
 };
 
+// The same with everything relaxed and coordinate ascent; the kept sets come back for one recovery
+// at the end.
+LagrangianResult maximize_by_coordinates(const Component& component,
+                                         std::span<const double> warm,
+                                         const LagrangianOptions& options,
+                                         const Recover& recover) {
+  SeparableDual function(component);
+  std::vector<double> start(warm.begin(), warm.end());
+  start.resize(component.num_slots(), 0.0);
+  dual::MaximizeOptions limits;
+  limits.max_evaluations = options.max_evaluations;
+  limits.relative_tolerance = options.relative_tolerance;
+  limits.target = options.goal;
+  dual::MaximizeResult found = dual::maximize_coordinate(
+      function, start, limits, [&](const dual::Iterate&) { return !options.deadline.reached(); });
+  LagrangianResult result;
+  result.evaluations = found.evaluations;
+  result.u = std::move(found.point);
+  result.lower = make_feasible(component, result.u);
+  if (recover) {
+    DualFunction kept(component, options.assign2d);
+    std::vector<double> subgradient(kept.num_variables());
+    kept.evaluate(std::span(result.u).subspan(kept.first_slot()), subgradient);
+    result.best = recover(kept);
+    result.recoveries = 1;
+    if (result.best.cost >= 0) result.best = {};
+  }
+  return result;
+}
+
 }  // namespace
 
 LagrangianResult maximize_dual(const Component& component,
                                std::span<const double> warm,
                                const LagrangianOptions& options,
                                const Recover& recover) {
+  const bool two_dimensional = component.num_dimensions() == 2;  // nothing is relaxed
+  if (options.dual_method == DualMethod::kCoordinate && !two_dimensional) {
+    return maximize_by_coordinates(component, warm, options, recover);
+  }
   Loop loop(component, options, recover);
   std::vector<double> start(loop.function().num_variables(), 0.0);
   if (!warm.empty())
@@ -94,10 +129,10 @@ LagrangianResult maximize_dual(const Component& component,
     limits.expected_increase =
         std::max(0.0, options.goal - std::accumulate(warm.begin(), warm.end(), 0.0));
   }
-  dual::maximize(
-      options.dual_method, loop.function(), start, limits, [&](const dual::Iterate& iterate) {
-        return loop.observe(iterate);
-      });
+  const DualMethod method = two_dimensional ? DualMethod::kBundleTrust : options.dual_method;
+  dual::maximize(method, loop.function(), start, limits, [&](const dual::Iterate& iterate) {
+    return loop.observe(iterate);
+  });
   loop.recover_at_best();
 
   LagrangianResult result = std::move(loop.result());

@@ -51,7 +51,8 @@ std::vector<Path> paths() {
   relaxation.method = Method::kRelaxation;
   relaxation.branch.exact_arcs = 0;
   result.push_back({"relaxation", relaxation, false});
-  for (const DualMethod method : {DualMethod::kSubgradient, DualMethod::kVolume}) {
+  for (const DualMethod method :
+       {DualMethod::kSubgradient, DualMethod::kVolume, DualMethod::kCoordinate}) {
     Options options = relaxation;
     options.relaxation.dual_method = method;
     result.push_back({"other dual method", options, false});
