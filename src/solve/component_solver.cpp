@@ -219,6 +219,8 @@ void ComponentSolver::branch(double allowed_gap) {
     loop.max_evaluations = options_.branch.node_evaluations;
     loop.recovery_interval = 0;
     loop.goal = cutoff;
+    // Coordinate ascent stalls at kinks: a tree bounded by it need not end.
+    if (loop.dual_method == DualMethod::kCoordinate) loop.dual_method = DualMethod::kBundleTrust;
     relax::LagrangianResult dual = relax::maximize_dual(node, warm, loop, {});
     state_.evaluations += dual.evaluations;
     bnb::NodeBound bound{std::move(dual.u), dual.lower, {}};
