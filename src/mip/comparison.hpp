@@ -46,7 +46,7 @@ struct Contender {
   std::string name;
   MethodKind kind = MethodKind::kNda;
   std::string about;  ///< one line
-  /// Why it is not meant for this problem ("more than 64 arcs"); empty when it is.
+  /// Why it is not meant for this problem ("more than 32 arcs"); empty when it is.
   std::function<std::string(const Problem&)> unfit;
   std::function<MethodResult(const Problem&, const RunLimits&)> run;
 };

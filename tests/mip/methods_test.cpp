@@ -93,7 +93,7 @@ TEST(Methods, ThatEnumerateAreForSmallProblems) {
   std::vector<std::string> statuses;
   support::RandomProblemOptions options;
   options.sizes = {12, 12, 12};
-  for (const int draws : {30, 70, 5000}) {
+  for (const int draws : {30, 50, 5000}) {
     options.num_arcs = draws;
     options.dummy_share = 0;
     const Problem problem = support::random_problem(7, options);
@@ -105,10 +105,10 @@ TEST(Methods, ThatEnumerateAreForSmallProblems) {
   EXPECT_THAT(statuses,
               ElementsAre("enumeration 30 fit",
                           "brute-force 30 fit",
-                          "enumeration 70 fit",
-                          "brute-force 70 more than 64 arcs",
+                          "enumeration 50 fit",
+                          "brute-force 50 more than 32 arcs",
                           "enumeration 5000 more than 1000 arcs",
-                          "brute-force 5000 more than 64 arcs"));
+                          "brute-force 5000 more than 32 arcs"));
 }
 
 TEST(Methods, FromOutsideAreVerifiedAndMarkedAsSuch) {
