@@ -82,6 +82,10 @@ bool start(const View& view,
   warm = warm && can_start_warm(cost, row_outside, column_outside, result);
   reset(row_outside.size(), column_outside.size(), result);
   if (warm) {
+    const auto num_columns = static_cast<std::int32_t>(column_outside.size());
+    for (std::int32_t& mate : result.column_of_row) {
+      if (mate < 0 || mate >= num_columns) mate = kUnassigned;
+    }
     for (std::size_t j = 0; j < column_outside.size(); ++j) {
       result.v[j] = std::min(result.v[j], column_outside[j]);
     }
