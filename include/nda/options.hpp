@@ -64,12 +64,12 @@ struct Progress {
   const char* event = "";  ///< what found it: "greedy", "recovery", "local search", "bound", ...
 };
 
-/// Everything that can be asked of a solve.
+/// Everything that can be asked of a solve.  docs/options.md lists names, defaults and ranges.
 struct Options {
   Method method = Method::kAuto;
   double time_limit_s = kInfinity;  ///< obeyed to 5 ms or 1 %; > 0
   double relative_gap = 0;          ///< stop when (cost - bound) / |cost| is at most this; >= 0
-  int num_threads = 1;              ///< 0 = all cores; the answer does not depend on it
+  int num_threads = 1;              ///< 0 = all cores; <= 1024; the answer does not depend on it
   std::uint64_t seed = 1;           ///< of the randomised searches
   RelaxationOptions relaxation;
   SearchOptions search;
@@ -80,7 +80,7 @@ struct Options {
   std::stop_token stop;
 };
 
-/// Throws InputError naming the first option out of range.
+/// Throws InputError naming the first option out of range; NaN is out of every range.
 void validate(const Options& options);
 
 /// A named, complete configuration: "realtime", "default", "exact".  Throws InputError otherwise.

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "core/clock.hpp"
+#include "core/option_table.hpp"
 #include "mip/external_solver.hpp"
 #include "nda/baselines.hpp"
 #include "nda/check.hpp"
@@ -24,17 +25,17 @@ constexpr std::size_t kEnumerationMaxArcs = 1000;
 constexpr std::size_t kQuickBruteForceMaxArcs = 32;
 static_assert(kQuickBruteForceMaxArcs <= kBruteForceMaxArcs);
 
-Options relaxation_by(DualMethod dual_method) {
+Options relaxation_by(const char* dual_method) {
   Options options;
-  options.method = Method::kRelaxation;
+  core::set_option("method", "relaxation", options);
+  core::set_option("relaxation.dual_method", dual_method, options);
   options.branch.exact_arcs = 0;
-  options.relaxation.dual_method = dual_method;
   return options;
 }
 
 Options enumeration() {
   Options options;
-  options.method = Method::kExact;
+  core::set_option("method", "exact", options);
   return options;
 }
 
@@ -51,13 +52,11 @@ const NdaMethod kNdaMethods[] = {
     {"enumeration", "branch and bound from the start (at most 1000 arcs)", enumeration},
     {"relaxation",
      "relaxation and recovery alone, dual by the bundle method",
-     [] { return relaxation_by(DualMethod::kBundleTrust); }},
-    {"volume",
-     "the same, dual by the volume algorithm",
-     [] { return relaxation_by(DualMethod::kVolume); }},
+     [] { return relaxation_by("bundle"); }},
+    {"volume", "the same, dual by the volume algorithm", [] { return relaxation_by("volume"); }},
     {"subgradient",
      "the same, dual by subgradient steps",
-     [] { return relaxation_by(DualMethod::kSubgradient); }},
+     [] { return relaxation_by("subgradient"); }},
 };
 
 struct Baseline {

@@ -63,6 +63,9 @@ INSTANTIATE_TEST_SUITE_P(
                       Range{"num_threads",
                             [](Options& o) { o.num_threads = 0; },
                             [](Options& o) { o.num_threads = -1; }},
+                      Range{"num_threads",
+                            [](Options& o) { o.num_threads = 1024; },
+                            [](Options& o) { o.num_threads = 1025; }},
                       Range{"relaxation.max_evaluations",
                             [](Options& o) { o.relaxation.max_evaluations = 1; },
                             [](Options& o) { o.relaxation.max_evaluations = 0; }},
@@ -75,6 +78,12 @@ INSTANTIATE_TEST_SUITE_P(
                       Range{"relaxation.relative_tolerance",
                             [](Options& o) { o.relaxation.relative_tolerance = 0; },
                             [](Options& o) { o.relaxation.relative_tolerance = -1; }},
+                      Range{"relaxation.relative_tolerance",
+                            [](Options& o) { o.relaxation.relative_tolerance = 1; },
+                            [](Options& o) { o.relaxation.relative_tolerance = kNan; }},
+                      Range{"method",
+                            [](Options& o) { o.method = Method::kExact; },
+                            [](Options& o) { o.method = static_cast<Method>(3); }},
                       Range{"search.kicks_per_index",
                             [](Options& o) { o.search.kicks_per_index = 0; },
                             [](Options& o) { o.search.kicks_per_index = -1; }},
@@ -91,6 +100,13 @@ TEST(Options, NameTheFirstThatIsOutOfRange) {
                 o.num_threads = -3;
               }),
               HasSubstr("num_threads is -3"));
+}
+
+TEST(Options, AreTooLargeInFewDigits) {
+  EXPECT_EQ(verdict([](Options& o) { o.relative_gap = -1e300; }),
+            "option relative_gap is -1e+300, it must be a number, 0 or more");
+  EXPECT_EQ(verdict([](Options& o) { o.num_threads = 1000000; }),
+            "option num_threads is 1000000, it must be a whole number from 0 to 1024");
 }
 
 TEST(Presets, AreValidAndDiffer) {

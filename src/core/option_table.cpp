@@ -1,0 +1,212 @@
+#include "core/option_table.hpp"
+
+#include <charconv>
+#include <cstdio>
+#include <type_traits>
+
+// A row is made by number() or choice() from a function that leads from the options to the field,
+// and from what the field may hold.
+
+namespace nda::core {
+namespace {
+
+// More threads than any machine has cores: beyond that a typing error.
+constexpr double kMostThreads = 1024;
+
+struct Limits {
+  double least = 0;
+  double most = kInfinity;
+  bool least_excluded = false;
+
+  // False for NaN.
+  bool allow(double value) const {
+    return (least_excluded ? value > least : value >= least) && value <= most;
+  }
+};
+
+std::string short_text(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+std::string rule_of(const char* kind, const Limits& limits) {
+  if (limits.least_excluded) return std::string(kind) + " above " + short_text(limits.least);
+  if (limits.most == kInfinity)
+    return std::string(kind) + ", " + short_text(limits.least) + " or more";
+  return std::string(kind) + " from " + short_text(limits.least) + " to " + short_text(limits.most);
+}
+
+template <typename T, typename Field>
+OptionRow number(const char* name, Field field, const Limits& limits, const char* meaning) {
+  OptionRow row{name, "", meaning, {}, {}, {}};
+  row.rule = rule_of(std::is_integral_v<T> ? "a whole number" : "a number", limits);
+  row.holds = [=](const Options& options) {
+    return limits.allow(static_cast<double>(field(options)));
+  };
+  row.text = [=](const Options& options) {
+    if constexpr (std::is_integral_v<T>) return std::to_string(field(options));
+    return short_text(static_cast<double>(field(options)));
+  };
+  row.read = [=](const std::string& text, Options& options) {
+    T value{};
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc() || stop != end || !limits.allow(static_cast<double>(value))) {
+      return false;
+    }
+    field(options) = value;
+    return true;
+  };
+  return row;
+}
+
+// `names` in the order of the enumerators.
+template <typename T, typename Field>
+OptionRow choice(const char* name,
+                 Field field,
+                 const std::vector<std::string>& names,
+                 const char* meaning) {
+  OptionRow row{name, "", meaning, {}, {}, {}};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    row.rule += (i == 0 ? "" : i + 1 < names.size() ? ", " : " or ") + names[i];
+  }
+  row.holds = [=](const Options& options) {
+    return static_cast<std::size_t>(field(options)) < names.size();
+  };
+  row.text = [=](const Options& options) {
+    const auto value = static_cast<std::size_t>(field(options));
+    return value < names.size() ? names[value] : "number " + std::to_string(value);
+  };
+  row.read = [=](const std::string& text, Options& options) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (names[i] != text) continue;
+      field(options) = static_cast<T>(i);
+      return true;
+    }
+    return false;
+  };
+  return row;
+}
+
+void add_general(std::vector<OptionRow>& rows) {
+  rows.push_back(choice<Method>(
+      "method",
+      [](auto& options) -> auto& { return options.method; },
+      {"auto", "relaxation", "exact"},
+      "how a component is solved"));
+  rows.push_back(number<double>(
+      "time_limit_s",
+      [](auto& options) -> auto& { return options.time_limit_s; },
+      {0, kInfinity, true},
+      "stop after so many seconds with the best so far"));
+  rows.push_back(number<double>(
+      "relative_gap",
+      [](auto& options) -> auto& { return options.relative_gap; },
+      {},
+      "stop when (cost - bound) / |cost| is at most this; 0.01 = 1 %"));
+  rows.push_back(number<int>(
+      "num_threads",
+      [](auto& options) -> auto& { return options.num_threads; },
+      {0, kMostThreads},
+      "0 = all cores; the answer does not depend on it"));
+  rows.push_back(number<std::uint64_t>(
+      "seed",
+      [](auto& options) -> auto& { return options.seed; },
+      {},
+      "of the randomised searches"));
+}
+
+void add_relaxation(std::vector<OptionRow>& rows) {
+  rows.push_back(choice<DualMethod>(
+      "relaxation.dual_method",
+      [](auto& options) -> auto& { return options.relaxation.dual_method; },
+      {"bundle", "subgradient", "volume", "coordinate"},
+      "how the dual function is maximised"));
+  rows.push_back(choice<Assign2dMethod>(
+      "relaxation.assign2d",
+      [](auto& options) -> auto& { return options.relaxation.assign2d; },
+      {"shortest_path", "auction", "network_simplex"},
+      "what evaluates the dual function"));
+  rows.push_back(choice<RecoveryMethod>(
+      "relaxation.recovery",
+      [](auto& options) -> auto& { return options.relaxation.recovery; },
+      {"recursive", "dual_greedy", "local_search"},
+      "how a relaxed solution is made feasible"));
+  rows.push_back(number<int>(
+      "relaxation.max_evaluations",
+      [](auto& options) -> auto& { return options.relaxation.max_evaluations; },
+      {1},
+      "evaluations of the dual function of each large component"));
+  rows.push_back(number<int>(
+      "relaxation.recovery_evaluations",
+      [](auto& options) -> auto& { return options.relaxation.recovery_evaluations; },
+      {1},
+      "the same of each lower-dimensional recovery problem"));
+  rows.push_back(number<int>(
+      "relaxation.recovery_interval",
+      [](auto& options) -> auto& { return options.relaxation.recovery_interval; },
+      {1},
+      "recover at every so many evaluations"));
+  rows.push_back(number<double>(
+      "relaxation.relative_tolerance",
+      [](auto& options) -> auto& { return options.relaxation.relative_tolerance; },
+      {},
+      "stop when the predicted increase of the dual falls below"));
+}
+
+void add_search_and_branch(std::vector<OptionRow>& rows) {
+  rows.push_back(choice<bool>(
+      "search.local_search",
+      [](auto& options) -> auto& { return options.search.local_search; },
+      {"false", "true"},
+      "iterated local search after the relaxation"));
+  rows.push_back(number<int>(
+      "search.kicks_per_index",
+      [](auto& options) -> auto& { return options.search.kicks_per_index; },
+      {},
+      "its length: random moves per index of the component"));
+  rows.push_back(number<std::size_t>(
+      "branch.exact_arcs",
+      [](auto& options) -> auto& { return options.branch.exact_arcs; },
+      {},
+      "components of at most so many arcs are enumerated"));
+  rows.push_back(number<std::int64_t>(
+      "branch.max_nodes",
+      [](auto& options) -> auto& { return options.branch.max_nodes; },
+      {},
+      "nodes of branch and bound per component"));
+  rows.push_back(number<int>(
+      "branch.node_evaluations",
+      [](auto& options) -> auto& { return options.branch.node_evaluations; },
+      {1},
+      "evaluations of the dual function at a node"));
+}
+
+}  // namespace
+
+const std::vector<OptionRow>& option_table() {
+  static const std::vector<OptionRow> table = [] {
+    std::vector<OptionRow> rows;
+    add_general(rows);
+    add_relaxation(rows);
+    add_search_and_branch(rows);
+    return rows;
+  }();
+  return table;
+}
+
+const OptionRow& find_option(const std::string& name) {
+  for (const OptionRow& row : option_table()) {
+    if (row.name == name) return row;
+  }
+  throw InputError("option '" + name + "' is not known");
+}
+
+void set_option(const std::string& name, const std::string& value, Options& options) {
+  const OptionRow& row = find_option(name);
+  if (row.read(value, options)) return;
+  throw InputError("option " + name + " is '" + value + "', it must be " + row.rule);
+}
+
+}  // namespace nda::core
