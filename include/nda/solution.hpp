@@ -23,7 +23,8 @@ namespace nda {
 /// | precision_lost | best so far     | valid but cannot meet cost   | what is known |
 ///
 /// After a limit `solutions` is empty when no feasible solution was found (possible only where
-/// singletons are forbidden); then cost is +inf and lower_bound still holds.
+/// singletons are forbidden); then cost is +inf and lower_bound still holds.  Infeasible: there are
+/// no multipliers, the certificate is -inf, and it is the search that proves lower_bound = +inf.
 enum class Status {
   kOptimal,
   kGapReached,
@@ -52,8 +53,8 @@ struct ComponentReport {
   std::size_t num_indices = 0;  ///< real indices it touches
   Status status = Status::kOptimal;
   bool proven = false;
-  double cost = 0;         ///< contribution to the total cost
-  double lower_bound = 0;  ///< on that contribution
+  double cost = 0;         ///< contribution to the total cost; +inf if it was not found feasible
+  double lower_bound = 0;  ///< on that contribution; +inf if it is infeasible
   std::string method;      ///< "enumeration", "assignment", "relaxation", "branch and bound"
 };
 
@@ -61,14 +62,14 @@ struct ComponentReport {
 struct Stats {
   double read_seconds = 0;  ///< set by the command line
   double solve_seconds = 0;
-  std::size_t peak_memory_bytes = 0;  ///< of the process
-  std::int64_t dual_evaluations = 0;  ///< of all components
-  std::int64_t recoveries = 0;        ///< feasible solutions constructed
-  std::int64_t nodes = 0;             ///< of branch and bound
-  std::size_t arcs_after_shift = 0;   ///< arcs that can improve on their singletons
-  std::size_t arcs_after_fixing = 0;  ///< arcs left when reduced-cost fixing ended
-  double certificate_bound = 0;       ///< what the multipliers alone prove
-  bool bound_by_branching = false;    ///< lower_bound exceeds certificate_bound thanks to branching
+  std::size_t peak_memory_bytes = 0;      ///< of the process
+  std::int64_t dual_evaluations = 0;      ///< of all components
+  std::int64_t recoveries = 0;            ///< feasible solutions constructed
+  std::int64_t nodes = 0;                 ///< of branch and bound
+  std::size_t arcs_after_shift = 0;       ///< arcs that can improve on their singletons
+  std::size_t arcs_after_fixing = 0;      ///< arcs left when reduced-cost fixing ended
+  double certificate_bound = -kInfinity;  ///< what the multipliers alone prove; -inf without any
+  bool bound_by_branching = false;  ///< lower_bound exceeds certificate_bound: the search proved it
 };
 
 /// Result of a solve: both bounds, always.  See Status for which fields hold what.

@@ -184,8 +184,8 @@ class Pipeline {
     solution.sizes.assign(problem_.sizes().begin(), problem_.sizes().end());
     solution.num_arcs = problem_.num_arcs();
     solution.num_components = parts_.size();
-    for (const Part& part : parts_) report(part, solution);
     merge_arcs(solution);
+    for (const Part& part : parts_) report(part, solution);
     merge_multipliers(solution);
     merge_bounds(solution);
     set_status(solution);
@@ -197,19 +197,27 @@ class Pipeline {
   void report(const Part& part, Solution& solution) const {
     const ComponentState& state = part.solver->state();
     double base = 0;
+    bool feasible = true;
     for (std::size_t k = 0; k < part.component.sizes.size(); ++k) {
       for (Index i = 1; i <= part.component.sizes[k]; ++i) {
-        base += shift_.base[part.component.dimensions[k]]
-                           [part.component.origin[part.component.offset[k] + i]];
+        const std::size_t dimension = part.component.dimensions[k];
+        const Index origin = part.component.origin[part.component.offset[k] + i];
+        base += shift_.base[dimension][origin];
+        feasible = feasible && !is_missing(dimension, origin);
       }
     }
-    solution.components.push_back({part.component.num_arcs(),
-                                   part.component.num_indices(),
-                                   state.complete ? Status::kOptimal : state.stopped,
-                                   state.complete,
-                                   base + state.best.cost,
-                                   base + state.lower,
-                                   state.method});
+    ComponentReport line{part.component.num_arcs(),
+                         part.component.num_indices(),
+                         state.complete ? Status::kOptimal : state.stopped,
+                         state.complete && feasible,
+                         feasible ? base + state.best.cost : kInfinity,
+                         base + state.lower,
+                         state.method};
+    if (state.complete && !feasible) {
+      line.status = Status::kInfeasible;
+      line.lower_bound = kInfinity;
+    }
+    solution.components.push_back(std::move(line));
     solution.stats.dual_evaluations += state.evaluations;
     solution.stats.recoveries += state.recoveries;
     solution.stats.nodes += state.nodes;
@@ -227,26 +235,29 @@ class Pipeline {
     std::sort(arcs.begin(), arcs.end());
     RankedSolution best;
     core::DoubleDouble cost;
-    std::vector<std::vector<bool>> covered;
-    for (const Index size : problem_.sizes()) covered.emplace_back(size + std::size_t{1}, false);
+    for (const Index size : problem_.sizes()) covered_.emplace_back(size + std::size_t{1}, false);
     for (const ArcId a : arcs) {
       cost.add(problem_.costs()[a]);
       best.arcs.push_back(problem_.arc(a));
-      for (std::size_t k = 0; k < covered.size(); ++k) covered[k][best.arcs.back()[k]] = true;
+      for (std::size_t k = 0; k < covered_.size(); ++k) covered_[k][best.arcs.back()[k]] = true;
     }
     for (int k = 0; k < problem_.num_dimensions(); ++k) {
       const auto singletons = problem_.singleton_costs(k);
       for (Index i = 1; i < singletons.size(); ++i) {
-        if (covered[static_cast<std::size_t>(k)][i]) continue;
-        if (singletons[i] == kInfinity)
+        if (is_missing(static_cast<std::size_t>(k), i))
           missing_.push_back({k, i});
-        else
+        else if (!covered_[static_cast<std::size_t>(k)][i])
           cost.add(singletons[i]);
       }
     }
     if (!missing_.empty()) return;
     best.cost = solution.cost = cost.high();
     solution.solutions.push_back(std::move(best));
+  }
+
+  // Uncovered though its singleton is forbidden.
+  bool is_missing(std::size_t k, Index i) const {
+    return !covered_[k][i] && problem_.singleton_costs(static_cast<int>(k))[i] == kInfinity;
   }
 
   void merge_multipliers(Solution& solution) const {
@@ -318,10 +329,13 @@ class Pipeline {
       solution.status = Status::kInfeasible;
       solution.lower_bound = kInfinity;
       solution.multipliers.clear();
+      solution.stats.certificate_bound = -kInfinity;
+      solution.stats.bound_by_branching = true;
       solution.reason = pipeline::infeasibility_reason(problem_, missing_);
     } else {
       solution.status = stopped;
       solution.lower_bound = solution.stats.certificate_bound;
+      solution.stats.bound_by_branching = false;
     }
   }
 
@@ -349,8 +363,8 @@ class Pipeline {
   core::CostGrid grid_;
   decompose::Partition partition_;
   std::vector<Part> parts_;
-  std::vector<pipeline::RealIndex>
-      missing_;  // forbidden singletons that the best packing leaves uncovered
+  std::vector<std::vector<bool>> covered_;    // [k][i]: whether the best packing uses the index
+  std::vector<pipeline::RealIndex> missing_;  // forbidden singletons among the rest, ascending
 };
 
 }  // namespace

@@ -49,6 +49,9 @@ TEST_P(TinyProblems, AreSolvedToTheOptimum) {
       EXPECT_EQ(solution.lower_bound, kInfinity);
       EXPECT_THAT(solution.solutions, IsEmpty());
       EXPECT_THAT(solution.multipliers, IsEmpty());
+      EXPECT_EQ(solution.stats.certificate_bound, -kInfinity) << "there are no multipliers";
+      EXPECT_TRUE(solution.stats.bound_by_branching);
+      EXPECT_FALSE(solution.proven);
       EXPECT_THAT(solution.reason, Not(IsEmpty()));
       continue;
     }
@@ -111,6 +114,22 @@ TEST(Infeasible, IsKnownAtOnceWhereAnIndexHasNoArc) {
   Options options;
   options.time_limit_s = 1e-9;
   EXPECT_EQ(solve(problem, options).status, Status::kInfeasible);
+}
+
+// Two rows and one column, all to be covered; beside them two rows that can be paired.
+TEST(Infeasible, IsSaidOfTheComponentThatIs) {
+  const Problem problem = support::make_problem(
+      {4, 3}, {{{1, 1}, 3}, {{2, 1}, 4}, {{1, 0}, kInfinity}, {{2, 0}, kInfinity}, {{3, 2}, -1}});
+  const Solution solution = solve(problem);
+  EXPECT_EQ(solution.status, Status::kInfeasible);
+  ASSERT_EQ(solution.components.size(), 2u);
+  EXPECT_EQ(solution.components[0].status, Status::kInfeasible);
+  EXPECT_EQ(solution.components[0].cost, kInfinity);
+  EXPECT_EQ(solution.components[0].lower_bound, kInfinity);
+  EXPECT_FALSE(solution.components[0].proven);
+  EXPECT_EQ(solution.components[1].status, Status::kOptimal);
+  EXPECT_EQ(solution.components[1].cost, -1);
+  EXPECT_TRUE(solution.components[1].proven);
 }
 
 TEST(Reports, AddUpToTheWhole) {
