@@ -145,10 +145,11 @@ FileFormat format_of(const std::string& path) {
 }
 
 Problem read_problem(const std::string& path, const ReadOptions& options) {
+  const std::string name = io::input_name(path);
+  std::unique_ptr<io::Source> source = with_name(name, [&] { return io::file_source(path); });
   ReadOptions resolved = options;
   if (options.format == FileFormat::kAuto) resolved.format = format_of(path);
-  return with_name(io::input_name(path),
-                   [&] { return read_from(io::file_source(path), resolved); });
+  return with_name(name, [&] { return read_from(std::move(source), resolved); });
 }
 
 Problem read_problem(std::istream& input, const ReadOptions& options) {

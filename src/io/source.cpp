@@ -54,8 +54,12 @@ class FileSource : public Source {
         owned_(path != "-") {
     if (file_ < 0) fail("cannot open");
     struct stat status = {};
-    if (::fstat(file_, &status) == 0 && S_ISREG(status.st_mode)) {
-      size_ = static_cast<std::size_t>(status.st_size);
+    if (::fstat(file_, &status) != 0) return;
+    if (S_ISREG(status.st_mode)) size_ = static_cast<std::size_t>(status.st_size);
+    if (S_ISDIR(status.st_mode)) {
+      if (owned_) ::close(file_);
+      errno = EISDIR;
+      fail("cannot read");
     }
   }
   FileSource(const FileSource&) = delete;

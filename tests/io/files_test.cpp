@@ -73,6 +73,10 @@ TEST(Files, AreNamedInMessages) {
   write_file(path, "p nda 2 1 1 1\na 1 2 3\n");
   EXPECT_EQ(message_of([&] { read_problem(path); }),
             path + ": line 2: index 2 of dimension 2 exceeds 1");
+  EXPECT_EQ(message_of([&] { read_problem(folder / "none"); }),
+            (folder / "none") + ": cannot open: No such file or directory");
+  EXPECT_EQ(message_of([&] { read_problem(folder / "."); }),
+            (folder / ".") + ": cannot read: Is a directory");
   EXPECT_EQ(message_of([&] { read_problem(folder / ".", {FileFormat::kNda}); }),
             (folder / ".") + ": cannot read: Is a directory");
 }
