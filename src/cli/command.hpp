@@ -13,7 +13,8 @@ inline constexpr int kBadInput = 2;  ///< bad input, usage, or a file that canno
 inline constexpr int kStopped = 3;   ///< a limit stopped the work with a usable answer
 
 /// Does the work of a command and returns the exit code.  Results go to std::cout, everything else
-/// to std::cerr.  InputError and all other exceptions become one line on std::cerr and kBadInput.
+/// to std::cerr; a write to std::cout that fails throws.  InputError and all other exceptions
+/// become one line on std::cerr and kBadInput.
 using Action = std::function<int()>;
 
 /// One command of the program.

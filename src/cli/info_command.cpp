@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <cstdio>
 #include <map>
 #include <memory>
 #include <string>
 
 #include "cli/commands.hpp"
+#include "cli/print.hpp"
 #include "core/shift.hpp"
 #include "decompose/components.hpp"
 #include "nda/io.hpp"
@@ -20,7 +20,7 @@ void print_lengths(const Problem& problem) {
     for (int k = 0; k < problem.num_dimensions(); ++k) real += problem.indices(k)[a] != 0;
     ++count[real];
   }
-  for (const auto& [real, arcs] : count) std::printf("  of %2d indices       %zu\n", real, arcs);
+  for (const auto& [real, arcs] : count) print("  of %2d indices       %zu\n", real, arcs);
 }
 
 void print_singletons(const Problem& problem) {
@@ -32,19 +32,19 @@ void print_singletons(const Problem& problem) {
       forbidden += cost == kInfinity;
     }
   }
-  std::printf("singletons           %zu free, %zu priced, %zu forbidden\n",
-              problem.num_indices() - priced - forbidden,
-              priced,
-              forbidden);
+  print("singletons           %zu free, %zu priced, %zu forbidden\n",
+        problem.num_indices() - priced - forbidden,
+        priced,
+        forbidden);
 }
 
 // Components by powers of ten of their arcs.
 void print_components(const Problem& problem) {
   const core::Shift shift = core::make_shift(problem);
   const decompose::Partition partition = decompose::partition(problem, shift);
-  std::printf("after the cost shift %zu arcs in %zu components\n",
-              partition.arcs.size(),
-              partition.num_components());
+  print("after the cost shift %zu arcs in %zu components\n",
+        partition.arcs.size(),
+        partition.num_components());
   struct Row {
     std::size_t components = 0;
     std::size_t arcs = 0;
@@ -61,34 +61,33 @@ void print_components(const Problem& problem) {
     row.largest = std::max(row.largest, arcs);
   }
   if (rows.empty()) return;
-  std::printf("%22s %11s %11s %11s\n", "arcs in component", "components", "arcs", "largest");
+  print("%22s %11s %11s %11s\n", "arcs in component", "components", "arcs", "largest");
   for (const auto& [decade, row] : rows) {
     const std::string range = std::to_string(decade) + " .. " + std::to_string(decade * 10 - 1);
-    std::printf("%22s %11zu %11zu %11zu\n", range.c_str(), row.components, row.arcs, row.largest);
+    print("%22s %11zu %11zu %11zu\n", range.c_str(), row.components, row.arcs, row.largest);
   }
 }
 
 int print_info(const std::string& file) {
   const Problem problem = read_problem(file);
-  std::printf("dimensions           %d\n", problem.num_dimensions());
-  std::printf("indices              %zu (", problem.num_indices());
+  print("dimensions           %d\n", problem.num_dimensions());
+  print("indices              %zu (", problem.num_indices());
   for (int k = 0; k < problem.num_dimensions(); ++k) {
-    std::printf("%s%u", k > 0 ? " " : "", problem.size(k));
+    print("%s%u", k > 0 ? " " : "", problem.size(k));
   }
-  std::printf(")\n");
-  std::printf("arcs                 %zu\n", problem.num_arcs());
+  print(")\n");
+  print("arcs                 %zu\n", problem.num_arcs());
   print_lengths(problem);
   if (problem.num_duplicates() > 0) {
-    std::printf("duplicates           %zu (the cheapest was kept)\n", problem.num_duplicates());
+    print("duplicates           %zu (the cheapest was kept)\n", problem.num_duplicates());
   }
   if (problem.num_forbidden() > 0) {
-    std::printf("forbidden arcs       %zu (cost inf, dropped)\n", problem.num_forbidden());
+    print("forbidden arcs       %zu (cost inf, dropped)\n", problem.num_forbidden());
   }
   print_singletons(problem);
   const core::CostGrid grid = core::find_grid(problem);
-  if (grid.step > 0) std::printf("cost step            %g\n", grid.step);
+  if (grid.step > 0) print("cost step            %g\n", grid.step);
   print_components(problem);
-  std::fflush(stdout);
   return kAnswer;
 }
 

@@ -1,8 +1,12 @@
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <exception>
+#include <ios>
 #include <iostream>
 #include <new>
 #include <string>
@@ -15,28 +19,26 @@
 #include "nda/version.hpp"
 
 // Parses the command line, runs one command and turns whatever happens into an exit code and at
-// most one line on standard error.  A pipe that closes early must not kill the program silently:
-// SIGPIPE is ignored and the failed write reported like a full disk.
+// most one line on standard error.  Results count only when they have left the program: all are
+// written to std::cout, which throws when a write fails.  A pipe that closes early must not kill
+// the program silently: SIGPIPE is ignored and the failed write reported like a full disk.
 
 namespace nda::cli {
 namespace {
 
 int fail(const std::string& message) {
+  std::cout.exceptions(std::ios_base::goodbit);  // std::cerr flushes it, and so does the end
   std::cerr << "nda: " << message << '\n';
   return kBadInput;
 }
 
-// Results count only when they have left the program.
-int flush_results(int code) {
-  errno = 0;
-  if (std::cout.flush()) return code;
-  const std::string why = errno != 0 ? std::strerror(errno) : "write failed";
-  return fail("standard output: cannot write: " + why);
-}
-
 int run(const Action& action) {
   try {
-    return flush_results(action());
+    const int code = action();
+    std::cout.flush();
+    return code;
+  } catch (const std::ios_base::failure&) {
+    return fail(std::string("standard output: cannot write: ") + std::strerror(errno));
   } catch (const InputError& error) {
     return fail(error.what());
   } catch (const std::bad_alloc&) {
@@ -56,7 +58,7 @@ std::string advice(const CLI::App& parser) {
 
 // --help and --version end here too; usage errors are one line.
 int finish_parsing(const CLI::App& parser, const CLI::ParseError& error) {
-  if (error.get_exit_code() == 0) return flush_results(parser.exit(error, std::cout, std::cerr));
+  if (error.get_exit_code() == 0) return parser.exit(error, std::cout, std::cerr);
   return fail(error.what() + advice(parser));
 }
 
@@ -85,7 +87,7 @@ int main_program(int argc, char** argv) {
   try {
     parser.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return finish_parsing(parser, error);
+    return run([&] { return finish_parsing(parser, error); });
   }
   for (const auto& [subcommand, action] : actions) {
     if (subcommand->parsed()) return run(action);
@@ -93,10 +95,21 @@ int main_program(int argc, char** argv) {
   return fail("no command given (nda --help lists the commands)");
 }
 
+// The number of a standard stream that the caller closed would go to the next file that is opened,
+// and results end up in it.  What takes the number here can be neither read nor written.
+void occupy_closed_streams() {
+  for (const int file : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(file, F_GETFD) >= 0) continue;
+    ::open("/dev/null", file == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+  }
+}
+
 }  // namespace
 }  // namespace nda::cli
 
 int main(int argc, char** argv) {
+  nda::cli::occupy_closed_streams();
   std::signal(SIGPIPE, SIG_IGN);
+  std::cout.exceptions(std::ios_base::badbit);
   return nda::cli::main_program(argc, argv);
 }

@@ -1,12 +1,12 @@
 #include <chrono>
 #include <csignal>
-#include <cstdio>
 #include <iostream>
 #include <map>
 #include <memory>
 #include <string>
 
 #include "cli/commands.hpp"
+#include "cli/print.hpp"
 #include "cli/progress_log.hpp"
 #include "nda/io.hpp"
 #include "nda/solve.hpp"
@@ -71,56 +71,54 @@ Options make_options(const SolveArguments& arguments) {
 }
 
 void print_components(const Solution& solution) {
-  std::printf("\n%10s %9s %8s %-10s %18s %18s  %s\n",
-              "component",
-              "arcs",
-              "indices",
-              "status",
-              "cost",
-              "lower bound",
-              "method");
+  print("\n%10s %9s %8s %-10s %18s %18s  %s\n",
+        "component",
+        "arcs",
+        "indices",
+        "status",
+        "cost",
+        "lower bound",
+        "method");
   for (std::size_t c = 0; c < solution.components.size(); ++c) {
     const ComponentReport& report = solution.components[c];
-    std::printf("%10zu %9zu %8zu %-10s %18.6f %18.6f  %s\n",
-                c + 1,
-                report.num_arcs,
-                report.num_indices,
-                to_string(report.status),
-                report.cost,
-                report.lower_bound,
-                report.method.c_str());
+    print("%10zu %9zu %8zu %-10s %18.6f %18.6f  %s\n",
+          c + 1,
+          report.num_arcs,
+          report.num_indices,
+          to_string(report.status),
+          report.cost,
+          report.lower_bound,
+          report.method.c_str());
   }
 }
 
 void print_summary(const Solution& solution) {
-  std::printf("status        %s\n", to_string(solution.status));
-  if (!solution.reason.empty()) std::printf("reason        %s\n", solution.reason.c_str());
+  print("status        %s\n", to_string(solution.status));
+  if (!solution.reason.empty()) print("reason        %s\n", solution.reason.c_str());
   if (!solution.solutions.empty()) {
-    std::printf(
-        "cost          %.10g%s\n", solution.cost, solution.proven ? "  (proven optimal)" : "");
+    print("cost          %.10g%s\n", solution.cost, solution.proven ? "  (proven optimal)" : "");
   }
-  std::printf("lower bound   %.10g%s\n",
-              solution.lower_bound,
-              solution.stats.bound_by_branching ? "  (by branching)" : "");
+  print("lower bound   %.10g%s\n",
+        solution.lower_bound,
+        solution.stats.bound_by_branching ? "  (by branching)" : "");
   if (!solution.solutions.empty()) {
-    std::printf("gap           %.3g  (%.3g %%)\n", solution.gap(), 100 * solution.relative_gap());
-    std::printf("arcs chosen   %zu\n", solution.solutions.front().arcs.size());
+    print("gap           %.3g  (%.3g %%)\n", solution.gap(), 100 * solution.relative_gap());
+    print("arcs chosen   %zu\n", solution.solutions.front().arcs.size());
   }
   if (solution.stats.bound_by_branching) {
-    std::printf("certificate   %.10g  (by the multipliers alone)\n",
-                solution.stats.certificate_bound);
+    print("certificate   %.10g  (by the multipliers alone)\n", solution.stats.certificate_bound);
   }
-  std::printf("components    %zu, %zu of %zu arcs after the cost shift\n",
-              solution.num_components,
-              solution.stats.arcs_after_shift,
-              solution.num_arcs);
-  std::printf("work          %lld dual evaluations, %lld recoveries, %lld nodes\n",
-              static_cast<long long>(solution.stats.dual_evaluations),
-              static_cast<long long>(solution.stats.recoveries),
-              static_cast<long long>(solution.stats.nodes));
-  std::printf("time          %.3f s reading, %.3f s solving\n",
-              solution.stats.read_seconds,
-              solution.stats.solve_seconds);
+  print("components    %zu, %zu of %zu arcs after the cost shift\n",
+        solution.num_components,
+        solution.stats.arcs_after_shift,
+        solution.num_arcs);
+  print("work          %lld dual evaluations, %lld recoveries, %lld nodes\n",
+        static_cast<long long>(solution.stats.dual_evaluations),
+        static_cast<long long>(solution.stats.recoveries),
+        static_cast<long long>(solution.stats.nodes));
+  print("time          %.3f s reading, %.3f s solving\n",
+        solution.stats.read_seconds,
+        solution.stats.solve_seconds);
 }
 
 int exit_code(const Solution& solution) {
@@ -151,7 +149,6 @@ int solve_file(const SolveArguments& arguments) {
   } else {
     print_summary(solution);
     if (arguments.verbose) print_components(solution);
-    std::fflush(stdout);
   }
   return exit_code(solution);
 }
