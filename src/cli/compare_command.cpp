@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "cli/checks.hpp"
 #include "cli/commands.hpp"
 #include "mip/comparison.hpp"
 #include "mip/comparison_text.hpp"
@@ -162,9 +163,9 @@ Action declare_compare(CLI::App& parser) {
       ->required();
   parser.add_option("--methods", arguments->methods, "names separated by commas, see below")
       ->delimiter(',')
-      ->take_all();
+      ->allow_extra_args(false);
   parser.add_option("--time-limit", arguments->time_limit_s, "seconds per method and file")
-      ->check(CLI::PositiveNumber)
+      ->check(as_option("time_limit_s"))
       ->capture_default_str();
   parser.add_option("--csv", arguments->csv, "write all figures to this file as well");
   parser.footer(footer());

@@ -3,8 +3,10 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <vector>
 
+#include "cli/checks.hpp"
 #include "cli/commands.hpp"
 #include "nda/generate.hpp"
 #include "nda/io.hpp"
@@ -25,18 +27,26 @@ CLI::App* add_family(CLI::App& parent, const char* name, const char* summary, co
   return parser;
 }
 
+// CLI11 would take -1 for the largest unsigned number.
+template <typename T>
+CLI::Option* add_option(CLI::App* parser, const char* flag, T& value, const char* help) {
+  CLI::Option* option = parser->add_option(flag, value, help);
+  if (std::is_unsigned_v<T>) option->check(at_least(0));
+  return option;
+}
+
+template <typename T>
+void add(CLI::App* parser, const char* flag, T& value, const char* help) {
+  add_option(parser, flag, value, help)->capture_default_str();
+}
+
 Family finish(CLI::App* parser, std::uint64_t& seed, std::function<Instance()> generate) {
   const auto output = std::make_shared<std::string>("-");
-  parser->add_option("--seed", seed, "the same seed gives the same file")->capture_default_str();
+  add(parser, "--seed", seed, "the same seed gives the same file");
   parser
       ->add_option("-o,--output", *output, "file to write, .nda or .nda.gz; '-' is standard output")
       ->capture_default_str();
   return {parser, output, std::move(generate)};
-}
-
-template <typename T>
-CLI::Option* add(CLI::App* parser, const char* flag, T& value, const char* help) {
-  return parser->add_option(flag, value, help)->capture_default_str();
 }
 
 Family declare_poore_sparse(CLI::App& parent) {
@@ -131,7 +141,7 @@ struct TrackingArguments {
 
   template <typename T>
   void add(CLI::App* parser, const char* flag, T TrackingOptions::*field, const char* help) {
-    const CLI::Option* option = parser->add_option(flag, given.*field, help);
+    const CLI::Option* option = add_option(parser, flag, given.*field, help);
     overrides.push_back([this, option, field](TrackingOptions& options) {
       if (option->count() > 0) options.*field = given.*field;
     });

@@ -1,29 +1,35 @@
 #include <chrono>
 #include <csignal>
+#include <filesystem>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "cli/checks.hpp"
 #include "cli/commands.hpp"
 #include "cli/print.hpp"
 #include "cli/progress_log.hpp"
+#include "core/option_table.hpp"
 #include "nda/io.hpp"
 #include "nda/solve.hpp"
 
 namespace nda::cli {
 namespace {
 
+// An option of the table and the text it is set to.
+struct Setting {
+  std::string name;
+  std::string value;
+};
+
 struct SolveArguments {
   std::string file;
   std::string preset = "default";
   std::string method;
   std::string output;
-  double time_limit_s = kInfinity;
-  double gap = -1;
+  std::vector<Setting> settings;  // applied in this order
   double log_interval_s = 0.1;
-  int threads = 1;
-  std::uint64_t seed = 1;
   bool json = false;
   bool quiet = false;
   bool verbose = false;
@@ -37,36 +43,21 @@ void on_interrupt(int) {
   std::signal(SIGINT, SIG_DFL);
 }
 
-const std::map<std::string, Method> kMethods = {
-    {"auto", Method::kAuto}, {"relaxation", Method::kRelaxation}, {"exact", Method::kExact}};
-
-const std::map<std::string, DualMethod> kDualMethods = {{"bundle", DualMethod::kBundleTrust},
-                                                        {"subgradient", DualMethod::kSubgradient},
-                                                        {"volume", DualMethod::kVolume},
-                                                        {"coordinate", DualMethod::kCoordinate}};
-
 // --method takes the name of a way to solve or of a way to maximise the dual.
 void set_method(const std::string& name, Options& options) {
-  if (name.empty()) return;
-  if (const auto method = kMethods.find(name); method != kMethods.end()) {
-    options.method = method->second;
-  } else if (const auto dual = kDualMethods.find(name); dual != kDualMethods.end()) {
-    options.relaxation.dual_method = dual->second;
-  } else {
-    throw InputError("method '" + name +
-                     "' is not known; there are auto, relaxation, exact, and for the dual bundle, "
-                     "subgradient, volume, coordinate");
-  }
+  const core::OptionRow& method = core::find_option("method");
+  const core::OptionRow& dual = core::find_option("relaxation.dual_method");
+  if (method.read(name, options) || dual.read(name, options)) return;
+  throw InputError("method '" + name + "' is not known; there are " + method.rule +
+                   ", and for the dual " + dual.rule);
 }
 
 Options make_options(const SolveArguments& arguments) {
   Options options = preset(arguments.preset);
-  if (arguments.time_limit_s < kInfinity) options.time_limit_s = arguments.time_limit_s;
-  if (arguments.gap >= 0) options.relative_gap = arguments.gap;
-  options.num_threads = arguments.threads;
-  options.seed = arguments.seed;
-  set_method(arguments.method, options);
-  validate(options);
+  if (!arguments.method.empty()) set_method(arguments.method, options);
+  for (const Setting& setting : arguments.settings) {
+    core::set_option(setting.name, setting.value, options);
+  }
   return options;
 }
 
@@ -92,22 +83,25 @@ void print_components(const Solution& solution) {
   }
 }
 
+void print_bound(const Solution& solution) {
+  const bool branched = solution.stats.bound_by_branching;
+  print("lower bound   %.10g%s\n", solution.lower_bound, branched ? "  (by branching)" : "");
+  if (!solution.solutions.empty()) {
+    print("gap           %.3g  (%.3g %%)\n", solution.gap(), 100 * solution.relative_gap());
+    print("arcs chosen   %zu\n", solution.solutions.front().arcs.size());
+  }
+  if (branched) {
+    print("certificate   %.10g  (by the multipliers alone)\n", solution.stats.certificate_bound);
+  }
+}
+
 void print_summary(const Solution& solution) {
   print("status        %s\n", to_string(solution.status));
   if (!solution.reason.empty()) print("reason        %s\n", solution.reason.c_str());
   if (!solution.solutions.empty()) {
     print("cost          %.10g%s\n", solution.cost, solution.proven ? "  (proven optimal)" : "");
   }
-  print("lower bound   %.10g%s\n",
-        solution.lower_bound,
-        solution.stats.bound_by_branching ? "  (by branching)" : "");
-  if (!solution.solutions.empty()) {
-    print("gap           %.3g  (%.3g %%)\n", solution.gap(), 100 * solution.relative_gap());
-    print("arcs chosen   %zu\n", solution.solutions.front().arcs.size());
-  }
-  if (solution.stats.bound_by_branching) {
-    print("certificate   %.10g  (by the multipliers alone)\n", solution.stats.certificate_bound);
-  }
+  if (solution.status != Status::kInfeasible) print_bound(solution);
   print("components    %zu, %zu of %zu arcs after the cost shift\n",
         solution.num_components,
         solution.stats.arcs_after_shift,
@@ -129,22 +123,33 @@ int exit_code(const Solution& solution) {
   return answered ? kAnswer : kStopped;
 }
 
+// A solve may take hours: better known before.
+void require_folder_of(const std::string& output) {
+  const std::filesystem::path folder = std::filesystem::path(output).parent_path();
+  if (folder.empty() || std::filesystem::is_directory(folder)) return;
+  throw InputError(output + ": cannot write: there is no folder " + folder.string());
+}
+
 int solve_file(const SolveArguments& arguments) {
   Options options = make_options(arguments);
+  require_folder_of(arguments.output);
+  const bool json = arguments.json || arguments.output == "-";
   const auto begin = std::chrono::steady_clock::now();
   const Problem problem = read_problem(arguments.file);
   const double read_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   ProgressLog log(std::cerr, arguments.log_interval_s);
   options.progress = [&](const Progress& progress) {
-    if (!arguments.quiet && !arguments.json) log(progress);
+    if (!arguments.quiet && !json) log(progress);
     return interrupted == 0;
   };
   std::signal(SIGINT, on_interrupt);
   Solution solution = solve(problem, options);
   solution.stats.read_seconds = read_seconds;
-  if (!arguments.output.empty()) write_solution(solution, arguments.output);
-  if (arguments.json) {
+  if (!arguments.output.empty() && arguments.output != "-") {
+    write_solution(solution, arguments.output);
+  }
+  if (json) {
     std::cout << solution_to_json(solution);
   } else {
     print_summary(solution);
@@ -153,34 +158,75 @@ int solve_file(const SolveArguments& arguments) {
   return exit_code(solution);
 }
 
+// A flag for an option of the table; the flag's help is the row's meaning.
+void add_setting(CLI::App& parser,
+                 const std::shared_ptr<SolveArguments>& arguments,
+                 const char* flag,
+                 const char* name) {
+  parser
+      .add_option_function<std::string>(
+          flag,
+          [arguments, name](const std::string& value) {
+            arguments->settings.push_back({name, value});
+          },
+          core::find_option(name).meaning)
+      ->type_name("NUMBER")
+      ->check(as_option(name));
+}
+
+Setting split_setting(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos) {
+    throw CLI::ValidationError("--set", "expected NAME=VALUE, found '" + text + "'");
+  }
+  const Setting setting = {text.substr(0, equals), text.substr(equals + 1)};
+  const std::string fault = as_option(setting.name)(setting.value);
+  if (!fault.empty()) throw CLI::ValidationError("--set", fault);
+  return setting;
+}
+
+void add_settings(CLI::App& parser, const std::shared_ptr<SolveArguments>& arguments) {
+  parser.add_option("--preset", arguments->preset, "realtime, default or exact");
+  add_setting(parser, arguments, "--time-limit", "time_limit_s");
+  add_setting(parser, arguments, "--gap", "relative_gap");
+  add_setting(parser, arguments, "--threads", "num_threads");
+  add_setting(parser, arguments, "--seed", "seed");
+  parser.add_option("--method",
+                    arguments->method,
+                    core::find_option("method").rule + "; or how the dual is maximised: " +
+                        core::find_option("relaxation.dual_method").rule);
+  parser
+      .add_option_function<std::vector<std::string>>(
+          "--set",
+          [arguments](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) {
+              arguments->settings.push_back(split_setting(text));
+            }
+          },
+          "any option of `nda options`, may be given again; overrides all others")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+}
+
 }  // namespace
 
 Action declare_solve(CLI::App& parser) {
   const auto arguments = std::make_shared<SolveArguments>();
   parser.add_option("file", arguments->file, "arc file, '-' for standard input")->required();
-  parser.add_option("--preset", arguments->preset, "realtime, default or exact");
-  parser.add_option("--time-limit", arguments->time_limit_s, "seconds")->check(CLI::PositiveNumber);
-  parser.add_option("--gap", arguments->gap, "stop at this relative gap (0.01 = 1 %)")
-      ->check(CLI::NonNegativeNumber);
-  parser.add_option("--threads", arguments->threads, "0 = all cores; the answer is the same")
-      ->check(CLI::NonNegativeNumber);
-  parser.add_option("--seed", arguments->seed, "of the randomised searches");
-  parser.add_option("--method",
-                    arguments->method,
-                    "auto, relaxation, exact; or how the dual is maximised: bundle, subgradient, "
-                    "volume, coordinate");
-  parser.add_option("--output,-o", arguments->output, "write the solution as JSON");
+  add_settings(parser, arguments);
+  parser.add_option(
+      "--output,-o", arguments->output, "write the solution as JSON; '-' is the same as --json");
   parser.add_flag("--json", arguments->json, "print the JSON alone");
   parser
       .add_option("--log-interval", arguments->log_interval_s, "seconds between lines of the log")
-      ->check(CLI::NonNegativeNumber);
+      ->check(at_least(0));
   parser.add_flag("--quiet,-q", arguments->quiet, "no solver log");
   parser.add_flag("--verbose,-v", arguments->verbose, "one line per component");
   parser.footer(
       "The log on standard error shows time, cost of the best assignment, lower bound and gap;\n"
       "the bound is proved by multipliers that `nda check` verifies.  Ctrl-C stops with the best "
       "so\n"
-      "far.  Exit codes: 0 answer, 1 infeasible, 2 bad input, 3 stopped by a limit.\n"
+      "far.  Exit codes: 0 answer, 1 no answer, 2 bad input, 3 stopped by a limit.\n"
       "\n"
       "Example:\n"
       "  nda solve window.nda.gz --time-limit 10 --output window.json\n"

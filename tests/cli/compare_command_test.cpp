@@ -121,6 +121,15 @@ TEST(CompareCommand, KillsASolverThatIgnoresItsLimit) {
   EXPECT_THAT(outcome.output, HasSubstr("  killed  "));
 }
 
+TEST(CompareCommand, TakesFilesAfterTheMethods) {
+  const TemporaryFolder folder;
+  write_file(folder / "a.nda", kCrossing);
+  write_file(folder / "b.nda", kCrossing);
+  const Outcome outcome = run(folder, "nda compare --methods greedy,sgts a.nda b.nda");
+  EXPECT_EQ(outcome.code, 0) << outcome.log;
+  EXPECT_THAT(outcome.output, HasSubstr("2 files\n"));
+}
+
 TEST(CompareCommand, NamesWhatIsWrongInOneLine) {
   const TemporaryFolder folder;
   write_file(folder / "a.nda", kCrossing);
@@ -132,6 +141,7 @@ TEST(CompareCommand, NamesWhatIsWrongInOneLine) {
       {"a.nda --methods magic", "nda: method 'magic' is not known; there are default,"},
       {"a.nda --methods greedy --csv /no/such/t.csv", "nda: /no/such/t.csv: cannot be written"},
       {"a.nda --time-limit 0", "nda: --time-limit"},
+      {"a.nda --time-limit nan", "nda: --time-limit: option time_limit_s is 'nan'"},
   };
   for (const auto& wrong : kCases) {
     SCOPED_TRACE(wrong.arguments);

@@ -11,6 +11,7 @@ import docs
 import headers
 import layers
 import listed
+import options
 import program
 import style
 import tree
@@ -229,6 +230,36 @@ class Program(CheckTest):
         self.expect(self.check)
         self.write("README.md", "| `nda solve FILE` | solves |\n| `nda guess` | guesses |\n")
         self.expect(self.check, "README.md:1", "README.md:2")
+
+
+class Options(CheckTest):
+    def setUp(self):
+        super().setUp()
+        self.write("fake", "#!/bin/sh\nprintf 'seed=%s\\n    of a | b: whole\\nbranch.nodes=60\\n    at most: 1 or more\\n' "
+                           "$([ $3 = exact ] && echo 2 || echo 1)\n", executable=True)
+        self.program = self.root / "fake"
+
+    def test_finds_a_page_that_is_stale_or_missing(self):
+        check = lambda root: options.matches(root, self.program)
+        self.expect(check, "docs/options.md:1")
+        text = options.page(self.program)
+        self.assertIn("\n| `seed` | 1 |  | 2 | of a \\| b | whole |\n", text)
+        self.write("docs/options.md", text)
+        self.expect(check)
+        self.write("docs/options.md", text.replace("| whole |", "| a number |"))
+        self.expect(check, f"docs/options.md:{text[:text.index('| whole |')].count(chr(10)) + 1}")
+        self.write("docs/options.md", text + "more\n")
+        self.expect(check, f"docs/options.md:{text.count(chr(10)) + 1}")
+        self.write("docs/options.md", text[:-1])
+        self.expect(check, "docs/options.md:1")
+
+    def test_finds_a_field_that_the_program_does_not_list(self):
+        check = lambda root: options.complete(root, self.program)
+        fields = "struct BranchOptions {\n  int nodes = 60;  ///< at most\n};\nstruct Options {\n  int seed = 1;\n};\n"
+        self.write("include/nda/options.hpp", fields)
+        self.expect(check)
+        self.write("include/nda/options.hpp", fields.replace("int nodes = 60;", "int nodes = 60;\n  int depth = 3;"))
+        self.expect(check, "include/nda/options.hpp:1")
 
 
 class Tree(CheckTest):

@@ -1,0 +1,35 @@
+#include "cli/checks.hpp"
+
+#include <cstdio>
+
+#include "core/option_table.hpp"
+
+namespace nda::cli {
+
+CLI::Validator at_least(double least) {
+  return CLI::Validator(
+      [least](const std::string& text) {
+        double value = 0;
+        if (CLI::detail::lexical_cast(text, value) && value >= least) return std::string();
+        char rule[64];
+        std::snprintf(rule, sizeof rule, "' given, it must be a number, %.6g or more", least);
+        return "'" + text + rule;
+      },
+      "");
+}
+
+CLI::Validator as_option(const std::string& name) {
+  return CLI::Validator(
+      [name](const std::string& text) {
+        Options scratch;
+        try {
+          core::set_option(name, text, scratch);
+        } catch (const InputError& error) {
+          return std::string(error.what());
+        }
+        return std::string();
+      },
+      "");
+}
+
+}  // namespace nda::cli

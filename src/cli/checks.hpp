@@ -1,0 +1,16 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace nda::cli {
+
+// What an argument must be, said in one line where it is not.
+
+/// A number, `least` or more.  NaN is refused.
+CLI::Validator at_least(double least);
+
+/// What the option of that name in core/option_table.hpp must be.
+CLI::Validator as_option(const std::string& name);
+
+}  // namespace nda::cli

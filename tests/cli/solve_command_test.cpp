@@ -1,0 +1,144 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "cli/program.hpp"
+#include "core/option_table.hpp"
+
+namespace nda::cli {
+namespace {
+
+using io::contents;
+using io::TemporaryFolder;
+using io::write_file;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+// support::odd_cycle(): three arcs that exclude each other in pairs, the best takes one.
+const std::string kProblem = "p nda 3 1 1 1 3\na 1 1 0 -1\na 1 0 1 -1\na 0 1 1 -1\n";
+
+// Two rows that need the same column.
+const std::string kInfeasible = "p nda 2 2 1 4\na 1 1 3\na 2 1 4\na 1 0 inf\na 2 0 inf\n";
+
+TEST(SolveCommand, PrintsASummaryAndWritesTheSolution) {
+  const TemporaryFolder folder;
+  write_file(folder / "a.nda", kProblem);
+  const Outcome outcome = run(folder, "nda solve a.nda -o a.json");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.output,
+              AllOf(HasSubstr("status        optimal\n"), HasSubstr("cost          -")));
+  EXPECT_THAT(outcome.log, HasSubstr("lower bound"));
+  EXPECT_EQ(run(folder, "nda check a.nda a.json").code, 0);
+}
+
+TEST(SolveCommand, PrintsTheJsonOnceAndNothingElse) {
+  const TemporaryFolder folder;
+  write_file(folder / "a.nda", kProblem);
+  for (const char* flags : {"--json", "-o -", "--json -o -"}) {
+    SCOPED_TRACE(flags);
+    const Outcome outcome = run(folder, std::string("nda solve a.nda ") + flags);
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.log, "");
+    EXPECT_NO_THROW(solution_from_json(outcome.output)) << outcome.output;
+  }
+}
+
+TEST(SolveCommand, SaysOfAnInfeasibleProblemWhyAndNoBound) {
+  const TemporaryFolder folder;
+  write_file(folder / "a.nda", kInfeasible);
+  const Outcome outcome = run(folder, "nda solve a.nda -q -v -o a.json");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.output,
+              AllOf(HasSubstr("status        infeasible\nreason        not all indices"),
+                    HasSubstr(" infeasible                inf                inf  assignment\n"),
+                    Not(HasSubstr("lower bound   "))));
+  EXPECT_THAT(contents(folder / "a.json"),
+              AllOf(HasSubstr("\"lower_bound\": \"inf\","),
+                    HasSubstr("\"multipliers\": [],"),
+                    HasSubstr("\"certificate_bound\":\"-inf\",\"bound_by_branching\":true")));
+  EXPECT_EQ(run(folder, "nda check a.nda a.json").code, 0);
+}
+
+TEST(SolveCommand, SetsEveryOptionOfTheListToItsDefault) {
+  const TemporaryFolder folder;
+  write_file(folder / "a.nda", kProblem);
+  const Outcome list = run(folder, "nda options");
+  std::string command = "nda solve a.nda -q";
+  for (const core::OptionRow& row : core::option_table()) {
+    const std::string setting = row.name + "=" + row.text(Options());
+    EXPECT_THAT("\n" + list.output, HasSubstr("\n" + setting + "\n    " + row.meaning + ": "));
+    command += " --set " + setting;
+  }
+  EXPECT_EQ(run(folder, command).code, 0);
+}
+
+TEST(SolveCommand, LetsSettingsOverrideFlagsAndFlagsThePreset) {
+  const TemporaryFolder folder;
+  write_file(folder / "a.nda", kProblem);
+  const std::string exact = "nda solve a.nda -qv --method exact";
+  EXPECT_THAT(run(folder, exact + " --set method=relaxation --set branch.exact_arcs=0").output,
+              HasSubstr("  relaxation\n"));
+  EXPECT_THAT(run(folder, exact).output, HasSubstr("  enumeration\n"));
+  EXPECT_EQ(run(folder, "nda solve a.nda --preset realtime --time-limit inf").code, 0);
+}
+
+TEST(OptionsCommand, ShowsThePresets) {
+  EXPECT_THAT(run({}, "nda options").output, HasSubstr("\ntime_limit_s=inf\n"));
+  EXPECT_THAT(run({}, "nda options --preset realtime").output, HasSubstr("\ntime_limit_s=0.05\n"));
+}
+
+TEST(SolveCommand, TakesTheFileAfterASetting) {
+  const TemporaryFolder folder;
+  write_file(folder / "a.nda", kProblem);
+  EXPECT_EQ(run(folder, "nda solve --set seed=2 a.nda").code, 0);
+}
+
+TEST(SolveCommand, NamesWhatIsWrongInOneShortLine) {
+  const TemporaryFolder folder;
+  write_file(folder / "a.nda", kProblem);
+  const struct {
+    const char* arguments;
+    const char* message;
+  } kCases[] = {
+      {"none", "nda: none: cannot open: No such file or directory\n"},
+      {".", "nda: .: cannot read: Is a directory\n"},
+      {"a.nda --time-limit nan",
+       "nda: --time-limit: option time_limit_s is 'nan', it must be a number above 0 ("},
+      {"a.nda --gap nan",
+       "nda: --gap: option relative_gap is 'nan', it must be a number, 0 or more ("},
+      {"a.nda --gap -1", "nda: --gap: option relative_gap is '-1'"},
+      {"a.nda --log-interval nan",
+       "nda: --log-interval: 'nan' given, it must be a number, 0 or more ("},
+      {"a.nda --seed -1",
+       "nda: --seed: option seed is '-1', it must be a whole number, 0 or more ("},
+      {"a.nda --threads 1000000",
+       "nda: --threads: option num_threads is '1000000', it must be a whole number from 0 to 1024"},
+      {"a.nda --threads many", "nda: --threads: option num_threads is 'many'"},
+      {"a.nda --set seed", "nda: --set: expected NAME=VALUE, found 'seed'"},
+      {"a.nda --set magic=1", "nda: --set: option 'magic' is not known"},
+      {"a.nda --set relaxation.dual_method=magic",
+       "nda: --set: option relaxation.dual_method is 'magic', it must be bundle, subgradient, "
+       "volume or coordinate"},
+      {"a.nda --method magic",
+       "nda: method 'magic' is not known; there are auto, relaxation or exact, and for the dual "
+       "bundle, subgradient, volume or coordinate\n"},
+      {"a.nda --preset magic", "nda: preset 'magic' is not known"},
+      {"a.nda -o none/a.json", "nda: none/a.json: cannot write: there is no folder none\n"},
+  };
+  for (const auto& wrong : kCases) {
+    SCOPED_TRACE(wrong.arguments);
+    const Outcome outcome = run(folder, std::string("nda solve ") + wrong.arguments);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.output, IsEmpty());
+    EXPECT_THAT(outcome.log, StartsWith(wrong.message));
+    EXPECT_LT(outcome.log.size(), 250u);
+    EXPECT_EQ(std::count(outcome.log.begin(), outcome.log.end(), '\n'), 1);
+  }
+}
+
+}  // namespace
+}  // namespace nda::cli
