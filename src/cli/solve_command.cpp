@@ -4,6 +4,7 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "cli/checks.hpp"
@@ -123,16 +124,21 @@ int exit_code(const Solution& solution) {
   return answered ? kAnswer : kStopped;
 }
 
-// A solve may take hours: better known before.
-void require_folder_of(const std::string& output) {
+// What is wrong with the output file is better known before a solve of hours.
+void require_good_output(const std::string& output, const std::string& input) {
   const std::filesystem::path folder = std::filesystem::path(output).parent_path();
-  if (folder.empty() || std::filesystem::is_directory(folder)) return;
-  throw InputError(output + ": cannot write: there is no folder " + folder.string());
+  if (!folder.empty() && !std::filesystem::is_directory(folder)) {
+    throw InputError(output + ": cannot write: there is no folder " + folder.string());
+  }
+  std::error_code not_there;
+  if (std::filesystem::equivalent(output, input, not_there)) {
+    throw InputError(output + ": cannot write: it is the problem itself");
+  }
 }
 
 int solve_file(const SolveArguments& arguments) {
   Options options = make_options(arguments);
-  require_folder_of(arguments.output);
+  require_good_output(arguments.output, arguments.file);
   const bool json = arguments.json || arguments.output == "-";
   const auto begin = std::chrono::steady_clock::now();
   const Problem problem = read_problem(arguments.file);
