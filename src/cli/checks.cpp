@@ -1,6 +1,8 @@
 #include "cli/checks.hpp"
 
 #include <cstdio>
+#include <filesystem>
+#include <system_error>
 
 #include "core/option_table.hpp"
 
@@ -30,6 +32,13 @@ CLI::Validator as_option(const std::string& name) {
         return std::string();
       },
       "");
+}
+
+void require_other_file(const std::string& output, const std::string& input) {
+  std::error_code not_there;
+  if (std::filesystem::equivalent(output, input, not_there)) {
+    throw InputError(output + ": cannot write: it is the problem itself");
+  }
 }
 
 }  // namespace nda::cli

@@ -13,4 +13,7 @@ CLI::Validator at_least(double least);
 /// What the option of that name in core/option_table.hpp must be.
 CLI::Validator as_option(const std::string& name);
 
+/// Throws InputError where writing `output` would replace `input`.
+void require_other_file(const std::string& output, const std::string& input);
+
 }  // namespace nda::cli

@@ -118,7 +118,10 @@ bool print_remarks(const std::vector<std::string>& missing,
 int compare_files(const CompareArguments& arguments) {
   const InterruptWatch interrupt;
   std::vector<Problem> problems;
-  for (const std::string& file : arguments.files) problems.push_back(read_problem(file));
+  for (const std::string& file : arguments.files) {
+    require_other_file(arguments.csv, file);
+    problems.push_back(read_problem(file));
+  }
   const mip::MethodChoice choice = mip::choose_methods(arguments.methods, surroundings());
   CsvFile csv(arguments.csv);
   const mip::RunLimits limits = {arguments.time_limit_s, interrupt.token()};

@@ -8,11 +8,9 @@ namespace nda::cli {
 void ProgressLog::operator()(const Progress& progress) {
   const double gap =
       (progress.cost - progress.lower_bound) / std::max(1e-9, std::abs(progress.cost));
-  const bool closed = gap <= 1e-12;
-  if (progress.seconds < next_seconds_ &&
-      !(closed && progress.components_done == progress.num_components)) {
-    return;
-  }
+  const bool closes = !closed_ && gap <= 1e-12;
+  if (progress.seconds < next_seconds_ && !closes) return;
+  closed_ = closed_ || closes;
   next_seconds_ = progress.seconds + interval_s_;
   if (!started_)
     out_ << "   time (s)               cost        lower bound      gap %    done  event\n";

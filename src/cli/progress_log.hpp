@@ -19,6 +19,7 @@ class ProgressLog {
   double interval_s_;
   double next_seconds_ = 0;
   bool started_ = false;
+  bool closed_ = false;
 };
 
 }  // namespace nda::cli

@@ -4,7 +4,6 @@
 #include <iostream>
 #include <memory>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "cli/checks.hpp"
@@ -130,10 +129,7 @@ void require_good_output(const std::string& output, const std::string& input) {
   if (!folder.empty() && !std::filesystem::is_directory(folder)) {
     throw InputError(output + ": cannot write: there is no folder " + folder.string());
   }
-  std::error_code not_there;
-  if (std::filesystem::equivalent(output, input, not_there)) {
-    throw InputError(output + ": cannot write: it is the problem itself");
-  }
+  require_other_file(output, input);
 }
 
 int solve_file(const SolveArguments& arguments) {

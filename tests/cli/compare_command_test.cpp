@@ -140,6 +140,7 @@ TEST(CompareCommand, NamesWhatIsWrongInOneLine) {
       {"a.nda none.nda", "nda: none.nda: cannot open"},
       {"a.nda --methods magic", "nda: method 'magic' is not known; there are default,"},
       {"a.nda --methods greedy --csv /no/such/t.csv", "nda: /no/such/t.csv: cannot be written"},
+      {"a.nda --csv ./a.nda", "nda: ./a.nda: cannot write: it is the problem itself"},
       {"a.nda --time-limit 0", "nda: --time-limit"},
       {"a.nda --time-limit nan", "nda: --time-limit: option time_limit_s is 'nan'"},
   };

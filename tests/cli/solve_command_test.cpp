@@ -35,6 +35,13 @@ TEST(SolveCommand, PrintsASummaryAndWritesTheSolution) {
   EXPECT_EQ(run(folder, "nda check a.nda a.json").code, 0);
 }
 
+TEST(SolveCommand, EndsItsLogWithTheClosedGap) {
+  const TemporaryFolder folder;
+  write_file(folder / "a.nda", "p nda 3 2 2 1 3\na 1 1 1 -5\na 1 2 1 -6\na 2 2 0 -4\n");
+  const Outcome outcome = run(folder, "nda solve a.nda");
+  EXPECT_THAT(outcome.log, HasSubstr("          -9.000000          -9.000000     0.0000 "));
+}
+
 TEST(SolveCommand, PrintsTheJsonOnceAndNothingElse) {
   const TemporaryFolder folder;
   write_file(folder / "a.nda", kProblem);
