@@ -12,14 +12,14 @@
 #include <vector>
 
 #include "dual/concave_function.hpp"
+#include "support/tr48_data.hpp"
 
 /// Standard test functions of nonsmooth optimisation: convex f to be minimised, used here as the
 /// concave q = -f.  Formulas, start points and minima as in Luksan & Vlcek, Test problems for
 /// nonsmooth unconstrained and linearly constrained optimization, report 798, Prague 2000 (problem
 /// number in brackets), and Haarala, Miettinen & Makela, Optim. Methods Softw. 19 (2004) for the
 /// chained ones; minima that are not round numbers with two or three digits more than published.
-/// Left out: El-Attar, Crescent, Gill and the like, which are not convex, and
-/// TR48, whose distance table is in no source we may take it from.
+/// Left out: El-Attar, Crescent, Gill and the like, which are not convex.
 namespace nda::test {
 
 using Span = std::span<const double>;
@@ -363,6 +363,35 @@ inline NonsmoothProblem maxl(int n = 20) {
           }};
 }
 
+/// a(i, j) of TR48; staying in a city is forbidden by a distance of 100,000.
+inline double tr48_distance(std::size_t i, std::size_t j) {
+  if (i == j) return 1e5;
+  const std::size_t first = std::min(i, j);
+  const std::size_t before = first * (2 * kTr48Size - first - 1) / 2;  // entries of earlier rows
+  return kTr48Distances[before + std::max(i, j) - first - 1];
+}
+
+/// [21] sum_j d_j max over i of (x_i - a_ij) - sum_i s_i x_i, the dual of a transportation problem
+/// between 48 cities.
+inline NonsmoothProblem tr48() {
+  return {"TR48", std::vector<double>(kTr48Size, 0.0), -638565, [](Span x, MutableSpan g) {
+            double value = 0;
+            for (std::size_t i = 0; i < kTr48Size; ++i) {
+              g[i] = -kTr48Supplies[i];
+              value -= kTr48Supplies[i] * x[i];
+            }
+            for (std::size_t j = 0; j < kTr48Size; ++j) {
+              std::size_t best = 0;
+              for (std::size_t i = 1; i < kTr48Size; ++i) {
+                if (x[i] - tr48_distance(i, j) > x[best] - tr48_distance(best, j)) best = i;
+              }
+              g[best] += kTr48Demands[j];
+              value += kTr48Demands[j] * (x[best] - tr48_distance(best, j));
+            }
+            return value;
+          }};
+}
+
 /// [22] n max x_i - sum x_i; minimum 0.
 inline NonsmoothProblem goffin(int n = 50) {
   std::vector<double> start;
@@ -457,6 +486,7 @@ inline std::vector<NonsmoothProblem> nonsmooth_problems() {
           maxquad(),
           maxq(),
           maxl(),
+          tr48(),
           goffin(),
           mxhilb(),
           l1hilb(),
