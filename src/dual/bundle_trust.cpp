@@ -6,22 +6,27 @@
 // v the increase the model predicts, the outcome is judged as in the paper, 0 < m1 < m2 < 1, 0 <
 // m3:
 //
-//   SS(i)   q(c + d) - q(c) >= m1 v           the trial is good: serious step, it becomes the
-//   centre; SS(ii)  g'd <= m2 v                       and it went far enough: q no longer rises
-//   steeply there; NS(i)   not SS(i)                         the trial is bad: null step, the
-//   centre stays; NS(ii)  error of g at c <= m3 v           but its plane is close to q at c, so it
-//   improves the model.
+//   SS(i)   q(c + d) - q(c) >= m1 v   the trial is good: serious step, it becomes the centre;
+//   SS(ii)  g'd <= m2 v               and it went far enough: q no longer rises steeply there;
+//   NS(i)   not SS(i)                 the trial is bad: null step, the centre stays;
+//   NS(ii)  error of g at c <= m3 v,  but the new plane is close to q at c, or q changed by no
+//           or q(c) - q(c + d) <= v   more than the model said, so the plane improves the model.
 //
 // A serious step that fails SS(ii) makes t grow, a null step that fails NS(ii) makes it shrink.
 //
 // What differs from the paper, each for the sake of the first 10 to 50 evaluations:
 // - No evaluation is spent on t alone.  Where SS(ii) or NS(ii) fails, the paper goes back to the
-// old
-//   centre with another t and forgets the plane; here the good point and every plane are kept, and
-//   the new t counts from the next step on.  Inner and outer iteration fall into one.
+//   old centre with another t and forgets the plane; here the good point and every plane are kept,
+//   and the new t counts from the next step on.  Inner and outer iteration fall into one.
 // - t changes by the parabola through q(c), the predicted slope v and q(c + d), not by bisection.
-// - NS(ii) compares with v, not with the last aggregate, whose norm and error have different units:
-//   with that, scaling q or u changes nothing.
+// - NS(ii) compares with v, not with norm and error of the last aggregate, which have different
+//   units: with that, scaling q or u changes nothing.
+// - The second half of NS(ii) counts only near the top, where v is at most a hundredth of the rise
+//   so far: before, the planes are too few to be worth more of them at the same t.  And it counts
+//   only where |d|^2 / t is a good part of v.  Where it is not, the trial is all but the maximum of
+//   the bare model, far out if the planes are few compared with the variables, and a smaller t
+//   brings it closer.  Near the top, the first half alone makes t shrink without end along with v,
+//   each serious step shorter than the last, and their sum stops short of the maximum.
 // - t also grows by a fifth at every second serious step in a row.  Without it, long runs of short
 //   serious steps were the rule on tracking problems, each of them fine by SS(i) and SS(ii).
 // - Until the first serious step, a trial that falls by a good part of v shrinks t by the parabola
@@ -48,6 +53,8 @@ namespace {
 constexpr double kSerious = 0.1;      // m1
 constexpr double kFarEnough = 0.2;    // m2
 constexpr double kCloseEnough = 0.7;  // m3
+constexpr double kNearTop = 0.01;     // v as a part of the rise so far
+constexpr double kGoodPart = 0.05;    // |d|^2 / t as a part of v
 constexpr double kMostGrowth = 10;
 constexpr double kMostShrinkage = 0.1;  // before the first serious step
 constexpr double kShrinkage = 0.5;      // afterwards
@@ -74,6 +81,7 @@ class BundleTrust {
   void reject(double increase, double error, double predicted);
   bool proved() const;
   bool stalled() const;
+  bool improves_model(double increase, double error, double predicted) const;
 
   MaximizeOptions options_;
   std::span<const double> start_;
@@ -177,6 +185,14 @@ void BundleTrust::accept(double value, double slope, double predicted) {
   }
 }
 
+// NS(ii).
+bool BundleTrust::improves_model(double increase, double error, double predicted) const {
+  if (error <= kCloseEnough * predicted) return true;
+  const bool near_top = predicted <= kNearTop * (centre_value_ - recorder_.first_value());
+  const bool restrained = predicted - bundle_.aggregate_error() >= kGoodPart * predicted;
+  return near_top && restrained && -increase <= predicted;
+}
+
 void BundleTrust::reject(double increase, double error, double predicted) {
   bundle_.insert_candidate(error, recorder_.evaluations());
   run_ = 0;
@@ -184,7 +200,7 @@ void BundleTrust::reject(double increase, double error, double predicted) {
   double factor = 1;
   if (!any_serious_ && increase < -kFall * predicted) {
     factor = std::clamp(parabola_peak(predicted, increase), kMostShrinkage, 1.0);
-  } else if (error > kCloseEnough * predicted) {
+  } else if (!improves_model(increase, error, predicted)) {
     factor = kShrinkage;
   }
   if (factor == 1) return;

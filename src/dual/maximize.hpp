@@ -33,7 +33,9 @@ struct MaximizeOptions {
   int max_evaluations = 200;         ///< >= 1
   double relative_tolerance = 1e-7;  ///< stop when the possible increase <= this * S; >= 0
   double target = std::numeric_limits<double>::infinity();  ///< stop when q reaches it
-  int bundle_size = 40;         ///< bundle methods: subgradients kept; >= 2
+  /// Bundle trust: subgradients kept; >= 2.  A polyhedral q takes many times the evaluations if
+  /// they are fewer than the variables.
+  int bundle_size = 100;
   bool primal_weights = false;  ///< fill MaximizeResult::primal_weights
   /// Guess of max q - q(start) that sets the first step; 0 = from q itself.
   double expected_increase = 0;
@@ -80,8 +82,9 @@ MaximizeResult maximize_subgradient(ConcaveFunction& function,
                                     const MaximizeOptions& options,
                                     const Observer& observer = {});
 
-/// Volume algorithm of Barahona & Anbil (Math. Programming 87, 2000): slower than the bundle to 1
-/// %, surer beyond 0.01 %, and it averages primal points on the way (Iterate::primal_step).
+/// Volume algorithm of Barahona & Anbil (Math. Programming 87, 2000): no master problem, and it
+/// averages primal points on the way (Iterate::primal_step); takes more evaluations than the
+/// bundle.
 MaximizeResult maximize_volume(ConcaveFunction& function,
                                std::span<const double> start,
                                const MaximizeOptions& options,

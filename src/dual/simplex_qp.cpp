@@ -42,7 +42,7 @@ class ActiveSetQp::Solver {
 
  private:
   void reserve(std::size_t size);
-  void set_shift();
+  void set_shift(std::span<const double> weights);
   void take_guess(std::span<const double> weights);
   void start_from_best_vertex();
   bool append(std::size_t index);
@@ -89,12 +89,17 @@ void ActiveSetQp::Solver::reserve(std::size_t size) {
   for (auto* v : {&value_, &direction_, &ones_, &gradient_, &terms_}) v->resize(size);
 }
 
-void ActiveSetQp::Solver::set_shift() {
+// rho = the size of G where the solution is expected: on the support of the guess.  The steepest
+// subgradient of all may be orders of magnitude longer, and its rho would swamp G_SS.
+void ActiveSetQp::Solver::set_shift(std::span<const double> weights) {
   shift_ = 0;
+  double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < problem_.size; ++i) {
-    shift_ = std::max(shift_, problem_.gram_at(i, i));
+    const double norm2 = problem_.gram_at(i, i);
+    if (weights[i] > 0) shift_ = std::max(shift_, norm2);
+    if (norm2 > 0) least = std::min(least, norm2);
   }
-  if (shift_ == 0) shift_ = 1;
+  if (shift_ == 0) shift_ = std::isfinite(least) ? least : 1;
 }
 
 void ActiveSetQp::Solver::solve_lower(std::span<double> x) const {
@@ -314,7 +319,7 @@ SimplexQpResult ActiveSetQp::Solver::solve(const SimplexQpProblem& problem,
                                            std::span<double> weights) {
   problem_ = problem;
   reserve(problem.size);
-  set_shift();
+  set_shift(weights);
   take_guess(weights);
   make_stationary();
   SimplexQpResult result;

@@ -19,7 +19,7 @@ class NonsmoothTest : public ::testing::TestWithParam<NonsmoothProblem> {
     test::NegatedFunction function = GetParam().negated();
     MaximizeOptions options;
     options.max_evaluations = evaluations;
-    options.relative_tolerance = 1e-10;  // of f(start) - f, much larger here
+    options.relative_tolerance = 1e-12;  // of f(start) - f, much larger here
     const double value = maximize(method, function, GetParam().start, options).value;
     return (-value - GetParam().minimum) / std::max(1.0, std::abs(GetParam().minimum));
   }
@@ -66,19 +66,22 @@ TEST_P(NonsmoothTest, HasSubgradientsOfAConvexFunction) {
   }
 }
 
-// Published minima have 8 digits or more.
+// Minima are known to 10 digits.
 TEST_P(NonsmoothTest, BundleTrustReachesTheMinimum) {
-  const double reached = error(DualMethod::kBundleTrust, 500);
-  EXPECT_LE(reached, 1e-6);
-  EXPECT_GE(reached, -1e-7);
+  const double reached = error(DualMethod::kBundleTrust, 250);
+  EXPECT_LE(reached, 1e-7);
+  EXPECT_GE(reached, -1e-9);
 }
 
-// Chained LQ and Goffin need more subgradients than the bundle holds; the others converge by proof.
+// Chained LQ has a kink in almost every one of its 1,000 variables: 100 subgradients do not average
+// to 0 there.
 TEST_P(NonsmoothTest, BundleTrustKnowsThatItHasConverged) {
-  if (GetParam().size() >= 50) GTEST_SKIP() << "more variables than subgradients kept";
   test::NegatedFunction function = GetParam().negated();
   MaximizeOptions options;
-  options.max_evaluations = 150;
+  options.max_evaluations = 250;
+  if (GetParam().size() > static_cast<std::size_t>(options.bundle_size)) {
+    GTEST_SKIP() << "more variables than subgradients kept";
+  }
   const MaximizeResult result = maximize_bundle_trust(function, GetParam().start, options);
   EXPECT_EQ(result.reason, StopReason::kConverged);
 }

@@ -246,6 +246,37 @@ TEST(ActiveSetQp, SurvivesSubgradientsThatDifferInTheLastDigits) {
   }
 }
 
+// A bundle near the maximum: neighbouring planes of a smooth piece, and a steep one from the start
+// of the run that has no part in the solution but must not set the precision.
+TEST(ActiveSetQp, ResolvesNeighboursBesideASteepSubgradient) {
+  ActiveSetQp solver;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    SCOPED_TRACE(seed);
+    core::Random random(seed);
+    std::vector<std::vector<double>> columns;
+    std::vector<double> linear;
+    for (int i = 0; i < 20; ++i) {
+      std::vector<double> column(6);
+      for (std::size_t k = 0; k < column.size(); ++k) {
+        const double base =
+            i < 4 ? random.uniform(-1, 1) : columns[static_cast<std::size_t>(i % 4)][k];
+        column[k] = base + 1e-3 * random.uniform(-1, 1);
+      }
+      columns.push_back(column);
+      linear.push_back(1e-6 * random.uniform());
+    }
+    const Program p = from_columns(columns, linear);
+    columns.emplace_back(6, 1e5);
+    linear.push_back(1e6);
+    const Program steep = from_columns(columns, linear);
+    std::vector<double> weights(steep.size(), 0.0);
+    weights[0] = 1;
+    EXPECT_TRUE(solver.solve(steep.view(), weights).converged);
+    weights.pop_back();
+    EXPECT_LE(kkt_violation(p, weights), 1e-12);
+  }
+}
+
 TEST(ActiveSetQp, ReadsAMatrixWithAStride) {
   const std::vector<double> gram = {1, -1, 99, -1, 1, 99};
   const std::vector<double> linear = {0, 0.5};
