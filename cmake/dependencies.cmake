@@ -7,9 +7,10 @@ find_package(ZLIB REQUIRED)
 find_package(nlohmann_json CONFIG REQUIRED)
 find_package(Threads REQUIRED)
 include(${CMAKE_CURRENT_LIST_DIR}/lemon.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/clp.cmake)
 
 # Headers only: a consumer of the installed library never needs the first three.
 set(NDA_DEPENDENCIES
   $<BUILD_INTERFACE:Boost::headers> $<BUILD_INTERFACE:Eigen3::Eigen>
   $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>
-  NLopt::nlopt TBB::tbb ZLIB::ZLIB nda::lemon Threads::Threads)
+  NLopt::nlopt TBB::tbb ZLIB::ZLIB nda::lemon nda::clp Threads::Threads)

@@ -12,5 +12,5 @@ configure_package_config_file(cmake/nda-config.cmake.in ${PROJECT_BINARY_DIR}/nd
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/nda-config-version.cmake
                                  COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/nda-config.cmake ${PROJECT_BINARY_DIR}/nda-config-version.cmake
-              cmake/lemon.cmake
+              cmake/clp.cmake cmake/lemon.cmake
         DESTINATION ${package_dir})

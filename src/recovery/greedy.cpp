@@ -1,6 +1,7 @@
 #include "recovery/greedy.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <vector>
 
@@ -9,6 +10,9 @@
 namespace nda::recovery {
 
 using core::ArcId;
+
+// Values below are rounding errors of the linear program.
+constexpr double kNothing = 1e-6;
 
 core::Packing greedy(const core::Component& component, std::span<const double> key) {
   std::vector<ArcId> order(component.num_arcs());
@@ -31,6 +35,25 @@ core::Packing dual_greedy(const core::Component& component, std::span<const doub
     key[a] = core::reduced_cost(component, u, a) + 1e-6 * component.costs[a];
   }
   return greedy(component, key);
+}
+
+core::Packing round_values(const core::Component& component,
+                           std::span<const ArcId> arcs,
+                           std::span<const double> values) {
+  std::vector<std::size_t> order;
+  for (std::size_t k = 0; k < arcs.size(); ++k) {
+    if (values[k] > kNothing) order.push_back(k);
+  }
+  std::sort(order.begin(), order.end(), [&](std::size_t k, std::size_t l) {
+    if (values[k] != values[l]) return values[k] > values[l];
+    const double difference = component.costs[arcs[k]] - component.costs[arcs[l]];
+    return difference != 0 ? difference < 0 : arcs[k] < arcs[l];
+  });
+  PackingState state(component);
+  for (const std::size_t k : order) {
+    if (state.fits(arcs[k])) state.insert(arcs[k]);
+  }
+  return state.packing();
 }
 
 }  // namespace nda::recovery

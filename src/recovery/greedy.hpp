@@ -15,4 +15,10 @@ core::Packing greedy(const core::Component& component, std::span<const double> k
 /// Dual-guided greedy: key[a] = c'[a] - sum of u over its slots.
 core::Packing dual_greedy(const core::Component& component, std::span<const double> u);
 
+/// Rounds a relaxed point: takes arcs[k] in descending order of values[k] > 0 as long as they fit,
+/// the cheaper ones first where values are equal.
+core::Packing round_values(const core::Component& component,
+                           std::span<const core::ArcId> arcs,
+                           std::span<const double> values);
+
 }  // namespace nda::recovery

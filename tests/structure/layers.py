@@ -7,8 +7,8 @@ import tree
 # A folder of src/ may include its own headers and those of a lower level.
 LEVEL = {
     "core": 0,
-    "io": 1, "assign2d": 1, "dual": 1, "decompose": 1, "bnb": 1, "generate": 1,
-    "relax": 2, "baselines": 2,
+    "io": 1, "assign2d": 1, "dual": 1, "decompose": 1, "bnb": 1, "lp": 1, "generate": 1,
+    "relax": 2, "cutting": 2, "baselines": 2,
     "recovery": 3,
     "solve": 4,
     "kbest": 5, "msap": 5, "mio": 5, "mip": 5,
@@ -25,6 +25,7 @@ ONLY = {
 LIBRARY = {
     "boost/": {"decompose"},
     "lemon/": {"assign2d"},
+    "coin/": {"lp"},
     "nlopt": {"dual"},
     "Eigen/": {"dual"},
     "tbb/": {"solve"},
@@ -39,7 +40,7 @@ SYSTEM = re.compile(r"sys/\w+\.h|(fcntl|pthread|signal|spawn|stdlib|unistd)\.h")
 SYSTEM_FOLDERS = {"io", "solve", "mip", "cli"}
 
 # Libraries that only one file of that folder may include.
-ONE_ADAPTER = {"lemon/", "nlopt"}
+ONE_ADAPTER = {"lemon/", "nlopt", "coin/"}
 
 _INCLUDE = re.compile(r'^\s*#\s*include\s*(<[^>]+>|"[^"]+")')
 

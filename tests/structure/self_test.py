@@ -68,7 +68,7 @@ class Layers(CheckTest):
         self.expect(layers.source_layers, "src/solve/a.cpp:1")
 
     def test_finds_each_library_outside_its_folder(self):
-        foreign = ("boost/graph/x.hpp", "lemon/x.h", "nlopt.hpp", "Eigen/Core", "tbb/x.h", "oneapi/tbb.h",
+        foreign = ("boost/graph/x.hpp", "coin/x.hpp", "lemon/x.h", "nlopt.hpp", "Eigen/Core", "tbb/x.h", "oneapi/tbb.h",
                    "nlohmann/json.hpp", "zlib.h", "CLI/CLI.hpp")
         self.assertEqual(len(foreign), len(layers.LIBRARY))
         self.write("src/core/a.cpp", "".join(f"#include <{header}>\n" for header in foreign))

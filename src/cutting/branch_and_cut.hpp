@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "core/clock.hpp"
+#include "core/component.hpp"
+#include "cutting/master.hpp"
+
+namespace nda::cutting {
+
+struct BranchAndCutLimits {
+  std::int64_t max_nodes = 0;
+  int root_rounds = 200;
+  std::size_t root_patterns = 0;
+  std::size_t node_patterns = 4;
+  int node_rounds = 3;
+  core::Deadline deadline;
+};
+
+/// What came out of branch and cut.
+struct BranchAndCutResult {
+  double lower = -kInfinity;  ///< no packing of live arcs is cheaper than this and the cutoff
+  bool complete = false;      ///< no packing is cheaper than the last cutoff
+  std::int64_t nodes = 0;
+};
+
+/// Branch and cut over the live arcs of `master`: bounds by its linear relaxation, tightened by
+/// cuts at every node, branching on pairs of rows (Ryan & Foster 1981): one arc uses both, or none
+/// does.
+///
+/// Depth first, the child with the smaller bound first.  The bound holds whenever it stops.
+class BranchAndCut {
+ public:
+  /// Called with every packing found (arcs of the component), or with null and a relaxed point to
+  /// make one of; returns the cutoff from now on: only packings cheaper than it are looked for.
+  using Offer = std::function<double(const Master&, const core::Packing* packing)>;
+
+  BranchAndCut(const core::Component& component,
+               Master& master,
+               double cutoff,
+               const BranchAndCutLimits& limits,
+               Offer offer);
+
+  BranchAndCutResult run();
+
+ private:
+  struct Pair {
+    std::uint32_t first;
+    std::uint32_t second;
+    double weight;  // sum of x over the arcs that use both slots
+  };
+  struct Choice {
+    Pair pair;
+    double together;  // bounds of the children, as far as a trial tells
+    double apart;
+  };
+
+  double explore(int depth, double inherited);
+  bool integral() const;
+  core::Packing packing() const;
+  std::vector<Pair> fractional_pairs() const;
+  Choice choose();
+  std::vector<core::ArcId> arcs_of_one(const Pair& pair) const;
+  std::vector<core::ArcId> arcs_of_both(const Pair& pair) const;
+  double explore_together(const Pair& pair, int depth, double inherited);
+  double explore_apart(const Pair& pair, int depth, double inherited);
+  bool uses(core::ArcId a, std::uint32_t slot) const;
+  bool stopped() const { return nodes_ >= limits_.max_nodes || limits_.deadline.reached(); }
+
+  const core::Component& component_;
+  Master& master_;
+  double cutoff_;
+  const BranchAndCutLimits& limits_;
+  Offer offer_;
+  std::int64_t nodes_ = 0;
+};
+
+}  // namespace nda::cutting

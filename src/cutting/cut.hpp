@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/component.hpp"
+
+namespace nda::cutting {
+
+/// A Chvatal-Gomory cut of rank 1 from the rows of a few indices: with integer weights p and a
+/// divisor D > max p,
+///
+///     sum over arcs of floor(sum of p over the arc's slots / D) x[a] <= floor(sum p / D)
+///
+/// holds for every packing, since every row of it is at most 1.  p = (1, 1, 1), D = 2 is the
+/// clique of Balas & Saltzman: of three indices, at most one arc uses two or more.
+struct Cut {
+  std::vector<std::uint32_t> slots;  ///< ascending
+  std::vector<std::uint8_t> weights;
+  std::uint8_t divisor = 2;
+
+  /// floor(sum p / D).
+  int right_side() const;
+};
+
+/// An arc of a cut and its coefficient, 1 or more.
+struct CutEntry {
+  core::ArcId arc;
+  int coefficient;
+};
+
+/// The arcs in every slot: what cuts are made of.  4 bytes per (arc, real index).
+class SlotIndex {
+ public:
+  SlotIndex(const core::Component& component, std::span<const core::ArcId> arcs);
+
+  std::span<const core::ArcId> operator[](std::uint32_t slot) const {
+    return std::span(arcs_).subspan(start_[slot], start_[slot + 1] - start_[slot]);
+  }
+
+ private:
+  std::vector<std::uint32_t> start_;
+  std::vector<core::ArcId> arcs_;
+};
+
+/// Lists the arcs of cuts; keeps its scratch memory, all 0, between calls.
+class CutLister {
+ public:
+  explicit CutLister(std::size_t num_arcs) : weight_(num_arcs, 0) {}
+
+  /// All arcs of `index` with a coefficient in the cut.
+  std::vector<CutEntry> list(const Cut& cut, const SlotIndex& index);
+
+ private:
+  std::vector<int> weight_;  // [arc]
+  std::vector<core::ArcId> touched_;
+};
+
+}  // namespace nda::cutting

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "core/clock.hpp"
+#include "core/component.hpp"
+#include "cutting/master.hpp"
+
+namespace nda::cutting {
+
+/// What the loop asks of the layers above.
+struct CutLoopObserver {
+  /// Called after every round with the current relaxed point; returns the cutoff from now on: only
+  /// packings cheaper than it are looked for.
+  std::function<double(const Master&)> round;
+};
+
+inline constexpr std::size_t kAllPatterns = 1000;
+
+struct CutLoopOptions {
+  double cutoff = kInfinity;
+  int max_rounds = 200;
+  std::size_t first_patterns = 0;  ///< of patterns(), beside the cuts over three rows, at first
+  std::size_t most_patterns = kAllPatterns;  ///< and when the gain has fallen off
+  bool fix = true;                           ///< drop arcs for good; not below a branching
+  core::Deadline deadline;
+};
+
+/// How the loop ended.
+enum class CutLoopEnd {
+  kProven,    ///< no packing is cheaper than the cutoff
+  kIntegral,  ///< the relaxed point is a packing: the best one of the live arcs
+  kStalled,   ///< further cuts gain little
+  kStopped,   ///< deadline, or numerical trouble
+};
+
+/// Tightens the linear relaxation by cuts as long as that is worth its time: solve, fix by reduced
+/// cost, separate, add.  The easy cuts come first; harder patterns join when the gain of a round
+/// falls off.
+CutLoopEnd run_cut_loop(const core::Component& component,
+                        Master& master,
+                        const CutLoopOptions& options,
+                        const CutLoopObserver& observer);
+
+}  // namespace nda::cutting

@@ -1,0 +1,230 @@
+#include "cutting/master.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/double_double.hpp"
+
+// A linear program of some thousand columns stands for millions of arcs: the multipliers of the
+// bundle already tell which ones, so a few rounds of pricing are enough.  Whatever the simplex
+// method returns, the bound is computed here from its multipliers, clamped to their signs, over all
+// live arcs: it holds even where the simplex method failed.
+
+namespace nda::cutting {
+namespace {
+
+using core::ArcId;
+using core::Component;
+
+constexpr double kTolerance = 1e-9;
+constexpr std::size_t kStartArcsPerIndex = 8;
+constexpr std::size_t kStartArcs = 1000;
+constexpr std::size_t kMostEntering = 6000;
+constexpr double kShrunk = 0.5;
+
+}  // namespace
+
+Master::Master(const Component& component, std::vector<ArcId> live, std::span<const double> u)
+    : component_(component),
+      live_(std::move(live)),
+      index_(component, live_),
+      index_arcs_(live_.size()),
+      lister_(component.num_arcs()),
+      column_of_(component.num_arcs(), -1),
+      forbidden_(component.num_arcs(), 0),
+      forced_(component.num_slots(), 0),
+      u_(u.begin(), u.end()),
+      reduced_(component.num_arcs(), 0.0) {
+  program_.add_empty_rows(static_cast<int>(component.num_slots()));
+  double dearest = 0;
+  for (const ArcId a : live_) dearest = std::max(dearest, std::abs(component.costs[a]));
+  for (int slot = 0; slot < static_cast<int>(component.num_slots()); ++slot) {
+    const double one = 1;
+    program_.add_column({{&slot, 1}, {&one, 1}}, 2 * dearest, kInfinity);
+  }
+  price();
+  std::vector<ArcId> start = live_;
+  const std::size_t wanted = kStartArcs + kStartArcsPerIndex * component.num_indices();
+  if (start.size() > wanted) {
+    std::nth_element(start.begin(),
+                     start.begin() + static_cast<std::ptrdiff_t>(wanted),
+                     start.end(),
+                     [&](ArcId a, ArcId b) {
+                       return reduced_[a] != reduced_[b] ? reduced_[a] < reduced_[b] : a < b;
+                     });
+    start.resize(wanted);
+    std::sort(start.begin(), start.end());
+  }
+  insert(start);
+}
+
+void Master::insert(std::span<const ArcId> arcs) {
+  std::vector<std::vector<std::pair<int, double>>> of_cuts(arcs.size());
+  std::vector<int> position(cuts_.empty() ? 0 : component_.num_arcs(), -1);
+  if (!cuts_.empty()) {
+    for (std::size_t k = 0; k < arcs.size(); ++k) position[arcs[k]] = static_cast<int>(k);
+    for (std::size_t c = 0; c < cuts_.size(); ++c) {
+      const int row = static_cast<int>(component_.num_slots() + c);
+      for (const CutEntry& entry : cuts_[c].entries) {
+        const int k = position[entry.arc];
+        if (k >= 0) of_cuts[static_cast<std::size_t>(k)].emplace_back(row, entry.coefficient);
+      }
+    }
+  }
+  std::vector<int> rows;
+  std::vector<double> values;
+  for (std::size_t k = 0; k < arcs.size(); ++k) {
+    rows.clear();
+    core::for_each_slot(
+        component_, arcs[k], [&](std::uint32_t slot) { rows.push_back(static_cast<int>(slot)); });
+    values.assign(rows.size(), 1.0);
+    for (const auto& [row, coefficient] : of_cuts[k]) {
+      rows.push_back(row);
+      values.push_back(coefficient);
+    }
+    column_of_[arcs[k]] = static_cast<int>(u_.size() + column_arc_.size());
+    column_arc_.push_back(arcs[k]);
+    program_.add_column(
+        {rows, values}, component_.costs[arcs[k]], forbidden_[arcs[k]] > 0 ? 0.0 : kInfinity);
+  }
+}
+
+// Reduced costs of all live arcs under u_ and the cuts' multipliers, and the bound they prove.
+void Master::price() {
+  for (const ArcId a : live_) reduced_[a] = core::reduced_cost(component_, u_, a);
+  core::DoubleDouble bound;
+  for (const double multiplier : u_) bound.add(multiplier);
+  for (const CutRow& row : cuts_) {
+    if (row.multiplier == 0) continue;
+    bound.add(row.multiplier * row.cut.right_side());
+    for (const CutEntry& entry : row.entries) {
+      reduced_[entry.arc] -= row.multiplier * entry.coefficient;
+    }
+  }
+  for (const ArcId a : live_) {
+    if (reduced_[a] < 0 && forbidden_[a] == 0) bound.add(reduced_[a]);
+  }
+  lower_ = bound.high();
+}
+
+std::vector<ArcId> Master::entering() const {
+  std::vector<ArcId> found;
+  for (const ArcId a : live_) {
+    if (reduced_[a] < -kTolerance && column_of_[a] < 0 && forbidden_[a] == 0) found.push_back(a);
+  }
+  if (found.size() > kMostEntering) {
+    std::nth_element(
+        found.begin(), found.begin() + kMostEntering, found.end(), [&](ArcId a, ArcId b) {
+          return reduced_[a] != reduced_[b] ? reduced_[a] < reduced_[b] : a < b;
+        });
+    found.resize(kMostEntering);
+    std::sort(found.begin(), found.end());
+  }
+  return found;
+}
+
+lp::Outcome Master::solve(double cutoff, const core::Deadline& deadline) {
+  for (;;) {
+    const lp::Outcome outcome = dual_feasible_ ? program_.solve_dual(deadline, kInfinity, 1 << 30)
+                                               : program_.solve_primal(deadline);
+    dual_feasible_ = false;
+    if (outcome != lp::Outcome::kOptimal) return outcome;
+    const std::span<const double> dual = program_.dual();
+    for (std::size_t slot = 0; slot < u_.size(); ++slot) {
+      u_[slot] = forced_[slot] > 0 ? dual[slot] : std::min(0.0, dual[slot]);
+    }
+    for (std::size_t c = 0; c < cuts_.size(); ++c) {
+      cuts_[c].multiplier = std::min(0.0, dual[u_.size() + c]);
+    }
+    price();
+    const std::vector<ArcId> more = entering();
+    if (more.empty()) break;
+    insert(more);
+    if (lower_ >= cutoff) return lp::Outcome::kCutoff;
+    if (deadline.reached()) return lp::Outcome::kStopped;
+  }
+  for (CutRow& row : cuts_) row.idle = row.multiplier < -1e-9 ? 0 : row.idle + 1;
+  return lp::Outcome::kOptimal;
+}
+
+void Master::forbid(std::span<const ArcId> arcs) {
+  for (const ArcId a : arcs) {
+    if (forbidden_[a]++ == 0 && column_of_[a] >= 0) program_.set_upper(column_of_[a], 0.0);
+  }
+  dual_feasible_ = true;
+}
+
+void Master::allow(std::span<const ArcId> arcs) {
+  for (const ArcId a : arcs) {
+    if (--forbidden_[a] == 0 && column_of_[a] >= 0) program_.set_upper(column_of_[a], kInfinity);
+  }
+  dual_feasible_ = true;
+}
+
+void Master::force(std::uint32_t slot) {
+  if (forced_[slot]++ > 0) return;
+  program_.set_equality(static_cast<int>(slot), true);
+  dual_feasible_ = true;
+}
+
+void Master::release(std::uint32_t slot) {
+  if (--forced_[slot] > 0) return;
+  program_.set_equality(static_cast<int>(slot), false);
+  dual_feasible_ = true;
+}
+
+double Master::trial(int max_iterations, const core::Deadline& deadline) {
+  const lp::Outcome outcome = program_.solve_dual(deadline, kInfinity, max_iterations);
+  return outcome == lp::Outcome::kFailed ? lower_ : program_.objective();
+}
+
+void Master::add(const Cut& cut) {
+  if (static_cast<double>(live_.size()) < kShrunk * static_cast<double>(index_arcs_))
+    rebuild_index();
+  cuts_.push_back({cut, lister_.list(cut, index_), 0.0, 0});
+  std::vector<int> columns;
+  std::vector<double> values;
+  for (const CutEntry& entry : cuts_.back().entries) {
+    if (column_of_[entry.arc] < 0) continue;
+    columns.push_back(column_of_[entry.arc]);
+    values.push_back(entry.coefficient);
+  }
+  program_.add_row({columns, values}, cut.right_side());
+  dual_feasible_ = true;
+}
+
+void Master::rebuild_index() {
+  index_ = SlotIndex(component_, live_);
+  index_arcs_ = live_.size();
+}
+
+void Master::drop_idle(int most_idle) {
+  std::vector<int> rows;
+  for (std::size_t c = 0; c < cuts_.size(); ++c) {
+    if (cuts_[c].idle > most_idle) rows.push_back(static_cast<int>(u_.size() + c));
+  }
+  if (rows.empty()) return;
+  program_.remove_rows(rows);
+  std::erase_if(cuts_, [&](const CutRow& row) { return row.idle > most_idle; });
+}
+
+void Master::fix(double cutoff) {
+  const auto dead = [&](ArcId a) { return lower_ + reduced_[a] >= cutoff; };
+  std::vector<int> columns;
+  for (std::size_t k = 0; k < column_arc_.size(); ++k) {
+    if (!dead(column_arc_[k])) continue;
+    columns.push_back(static_cast<int>(u_.size() + k));
+    column_of_[column_arc_[k]] = -1;
+  }
+  program_.remove_columns(columns);
+  std::erase_if(column_arc_, dead);
+  for (std::size_t k = 0; k < column_arc_.size(); ++k) {
+    column_of_[column_arc_[k]] = static_cast<int>(u_.size() + k);
+  }
+  for (CutRow& row : cuts_) {
+    std::erase_if(row.entries, [&](const CutEntry& entry) { return dead(entry.arc); });
+  }
+  std::erase_if(live_, dead);
+}
+
+}  // namespace nda::cutting

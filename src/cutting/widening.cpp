@@ -1,0 +1,110 @@
+#include "cutting/widening.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "cutting/branch_and_cut.hpp"
+#include "cutting/cut_loop.hpp"
+
+// A tree grows exponentially with the distance between its root's bound and its cutoff, so a cutoff
+// that is too high costs more than all circles before it: what iterative deepening is to games
+// (Korf 1985), this is to bounds.
+
+namespace nda::cutting {
+namespace {
+
+using core::ArcId;
+
+constexpr double kFirstReach = 0.125;  // of the gap
+constexpr double kWiden = 1.6;
+
+std::vector<ArcId> all_arcs(const core::Component& component) {
+  std::vector<ArcId> arcs(component.num_arcs());
+  std::iota(arcs.begin(), arcs.end(), 0u);
+  return arcs;
+}
+
+class Widening {
+ public:
+  Widening(const core::Component& component,
+           std::span<const double> u,
+           const WideningLimits& limits,
+           const WideningObserver& observer)
+      : component_(component),
+        limits_(limits),
+        observer_(observer),
+        cutoff_(limits.cutoff),
+        master_(component, all_arcs(component), u) {}
+
+  WideningResult run() {
+    if (limits_.max_nodes > 0 && tighten()) {
+      double reach = kFirstReach * (cutoff_ - master_.lower());
+      while (search(master_.lower() + reach)) reach *= kWiden;
+    }
+    result_.complete = result_.lower >= cutoff_;
+    return result_;
+  }
+
+ private:
+  // The cuts of the whole component.  Returns whether there is more to do.
+  bool tighten() {
+    ++result_.nodes;
+    CutLoopOptions loop;
+    loop.cutoff = cutoff_;
+    loop.deadline = limits_.deadline;
+    const CutLoopEnd end = run_cut_loop(component_, master_, loop, {[&](const Master& point) {
+                                          raise(point.lower());
+                                          return cutoff_ = observer_.offer(point, nullptr);
+                                        }});
+    if (end == CutLoopEnd::kProven) raise(cutoff_);
+    return end != CutLoopEnd::kProven && end != CutLoopEnd::kStopped;
+  }
+
+  // All packings cheaper than `target`.  Returns whether there is more to do.
+  bool search(double target) {
+    target = std::min(target, cutoff_);
+    std::vector<ArcId> near;
+    for (const ArcId a : master_.live()) {
+      if (master_.lower() + master_.reduced_cost(a) < target) near.push_back(a);
+    }
+    Master circle(component_, std::move(near), master_.u());
+    for (const CutRow& row : master_.cuts()) circle.add(row.cut);
+    BranchAndCutLimits limits;
+    limits.max_nodes = limits_.max_nodes - result_.nodes;
+    limits.root_patterns = kAllPatterns;
+    limits.deadline = limits_.deadline;
+    BranchAndCut tree(
+        component_, circle, target, limits, [&](const Master& point, const core::Packing* packing) {
+          cutoff_ = observer_.offer(point, packing);
+          return std::min(cutoff_, target);
+        });
+    const BranchAndCutResult found = tree.run();
+    result_.nodes += found.nodes;
+    raise(std::min({found.lower, target, cutoff_}));
+    return found.complete && result_.lower < cutoff_;
+  }
+
+  void raise(double lower) {
+    if (lower <= result_.lower) return;
+    result_.lower = lower;
+    observer_.raise(lower);
+  }
+
+  const core::Component& component_;
+  const WideningLimits& limits_;
+  const WideningObserver& observer_;
+  double cutoff_;
+  Master master_;
+  WideningResult result_;
+};
+
+}  // namespace
+
+WideningResult search_widening(const core::Component& component,
+                               std::span<const double> u,
+                               const WideningLimits& limits,
+                               const WideningObserver& observer) {
+  return Widening(component, u, limits, observer).run();
+}
+
+}  // namespace nda::cutting

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "core/clock.hpp"
+#include "core/component.hpp"
+#include "cutting/master.hpp"
+
+namespace nda::cutting {
+
+struct WideningLimits {
+  double cutoff = kInfinity;  ///< only packings cheaper than this are looked for
+  std::int64_t max_nodes = 0;
+  core::Deadline deadline;
+};
+
+/// What the search tells the layers above while it works.
+struct WideningObserver {
+  /// A packing (arcs of the component), or null and a relaxed point to make one of.  Returns the
+  /// cutoff from now on.
+  std::function<double(const Master&, const core::Packing*)> offer;
+  /// No packing is cheaper than `lower`.
+  std::function<void(double lower)> raise;
+};
+
+struct WideningResult {
+  double lower = -kInfinity;  ///< no packing is cheaper than this, or than the last cutoff
+  bool complete = false;      ///< no packing is cheaper than the last cutoff
+  std::int64_t nodes = 0;
+};
+
+/// Exact search of a component by linear programming, cuts and branching.
+///
+/// After the cuts the reduced costs say how far an arc is from the relaxed optimum: a packing that
+/// uses an arc of reduced cost r costs at least lower + r.  So the search goes out in circles: all
+/// packings cheaper than lower + reach, with the few arcs that allows, by branch and cut; when
+/// there is none, lower + reach is a proven bound, and the circle is widened.  It needs no good
+/// solution to begin with: the first circle that holds one holds the best one.
+///
+/// @param u  multipliers by slot to start from.
+WideningResult search_widening(const core::Component& component,
+                               std::span<const double> u,
+                               const WideningLimits& limits,
+                               const WideningObserver& observer);
+
+}  // namespace nda::cutting

@@ -1,0 +1,61 @@
+#include "cutting/widening.hpp"
+
+#include <gtest/gtest.h>
+
+#include "cutting/cutting_support.hpp"
+
+namespace nda::cutting {
+namespace {
+
+using core::Component;
+using core::Packing;
+
+struct Outcome {
+  WideningResult result;
+  Packing best;
+  double last_bound = -kInfinity;
+};
+
+Outcome search(const Component& component, double cutoff, std::int64_t max_nodes) {
+  Outcome outcome;
+  outcome.best.cost = cutoff;
+  WideningLimits limits;
+  limits.cutoff = cutoff;
+  limits.max_nodes = max_nodes;
+  WideningObserver observer;
+  observer.offer = [&](const Master&, const Packing* packing) {
+    if (packing != nullptr && packing->cost < outcome.best.cost) outcome.best = *packing;
+    return outcome.best.cost - 1e-7;
+  };
+  observer.raise = [&](double lower) {
+    EXPECT_GT(lower, outcome.last_bound);
+    outcome.last_bound = lower;
+  };
+  outcome.result = search_widening(component, no_multipliers(component), limits, observer);
+  return outcome;
+}
+
+// From no solution at all, so that every circle but the last is empty.
+TEST(Widening, FindsTheOptimumAndProvesIt) {
+  for (std::uint64_t seed = 0; seed < 1500; ++seed) {
+    const Component component =
+        seed % 2 == 0 ? fractional_component(seed) : support::random_component_of_any_kind(seed);
+    const double best = support::best_cost(component);
+    const Outcome outcome = search(component, 1e-6, 1000000);
+    ASSERT_TRUE(outcome.result.complete) << "seed " << seed;
+    ASSERT_NEAR(std::min(0.0, outcome.best.cost), best, 1e-6) << "seed " << seed;
+    ASSERT_LE(outcome.last_bound, best + 1e-6) << "seed " << seed;
+  }
+}
+
+TEST(Widening, ItsBoundHoldsWhereverItStops) {
+  for (std::uint64_t seed = 0; seed < 600; ++seed) {
+    const Component component = fractional_component(seed);
+    const double best = support::best_cost(component);
+    const Outcome outcome = search(component, 1e-6, static_cast<std::int64_t>(seed % 4));
+    ASSERT_LE(outcome.result.lower, best + 1e-6) << "seed " << seed;
+  }
+}
+
+}  // namespace
+}  // namespace nda::cutting
