@@ -55,7 +55,7 @@ struct ComponentReport {
   bool proven = false;
   double cost = 0;         ///< contribution to the total cost; +inf if it was not found feasible
   double lower_bound = 0;  ///< on that contribution; +inf if it is infeasible
-  std::string method;      ///< "enumeration", "assignment", "relaxation", "branch and bound"
+  std::string method;      ///< "enumeration", "assignment", "relaxation", "branch and cut", ...
 };
 
 /// Counters and times of one solve.  Times are wall seconds.

@@ -7,9 +7,11 @@
 #include "bnb/branch_and_bound.hpp"
 #include "bnb/enumerate.hpp"
 #include "core/random.hpp"
+#include "cutting/widening.hpp"
 #include "decompose/components.hpp"
 #include "decompose/reduced_cost_fixing.hpp"
 #include "recovery/core_search.hpp"
+#include "recovery/greedy.hpp"
 #include "recovery/recovery.hpp"
 #include "recovery/recursive.hpp"
 #include "relax/lagrangian.hpp"
@@ -27,15 +29,8 @@ using core::Packing;
 
 constexpr std::int64_t kEnumerationNodes = 200000;
 constexpr int kFeasibleSweeps = 3;
-// The second round searches so many times longer than the first.
-constexpr int kFinishEffort = 10;
-constexpr int kWideEffort = 100;
-constexpr double kWideGap = 0.02;
-constexpr int kSharpenRounds = 8;
-constexpr int kSharpenEvaluations = 500;
-constexpr int kSharpenBundle = 100;
-// A round that leaves more than this share of the gap is the last.
-constexpr double kWorthwhile = 0.97;
+// Above this the linear program would be too large to be of use, and memory runs out.
+constexpr std::size_t kMostCuttingArcs = 2000000;
 
 relax::LagrangianOptions loop_options(const Options& options, const core::Deadline& deadline) {
   relax::LagrangianOptions loop;
@@ -115,11 +110,48 @@ void ComponentSolver::finish(double allowed_gap) {
     return;
   }
   if (close_enough(allowed_gap) || deadline_.reached()) return;
-  search(kFinishEffort);
-  sharpen(allowed_gap);
-  // With a gap that wide the tree is hopeless; better solutions are not.
-  if (state_.best.cost - state_.lower > kWideGap * std::abs(state_.best.cost)) search(kWideEffort);
+  if (options_.method != Method::kExact) branch_and_cut(allowed_gap);
   if (!close_enough(allowed_gap)) branch(allowed_gap);
+}
+
+// Cuts and branching on the arcs that reduced costs leave, as a component of their own.
+void ComponentSolver::branch_and_cut(double allowed_gap) {
+  std::vector<ArcId> live;
+  for (ArcId a = 0; a < component_.num_arcs(); ++a) {
+    const double r = core::reduced_cost(component_, state_.u, a);
+    if (state_.certificate + r < cutoff()) live.push_back(a);
+  }
+  state_.live_arcs = live.size();
+  if (live.empty() || live.size() > kMostCuttingArcs) return;
+  state_.method = "branch and cut";
+  core::Cutter cutter;
+  const Component core = cutter.cut(component_, live);
+  const std::vector<double> u = core::restrict_slots(component_, state_.u, core);
+  const auto goal = [&] { return state_.best.cost - std::max(precision_.margin, allowed_gap); };
+  cutting::WideningLimits limits;
+  limits.cutoff = goal();
+  limits.max_nodes = options_.branch.max_nodes - state_.nodes;
+  limits.deadline = deadline_;
+  cutting::WideningObserver observer;
+  observer.offer = [&](const cutting::Master& point, const Packing* found) {
+    Packing packing = found != nullptr ? *found : round(core, point);
+    for (ArcId& a : packing.arcs) a = live[a];
+    offer(packing, "branch and cut");
+    return goal();
+  };
+  observer.raise = [&](double lower) { raise_bound(std::min(lower, goal()), "cuts"); };
+  state_.nodes += cutting::search_widening(core, u, limits, observer).nodes;
+}
+
+// A packing near a relaxed point: its largest values first, then descent.
+Packing ComponentSolver::round(const Component& core, const cutting::Master& point) const {
+  const Packing packing = recovery::round_values(core, point.arcs(), point.values());
+  recovery::CoreSearchOptions search;
+  search.kicks_per_index = 0;
+  search.goal = state_.lower + precision_.error;
+  core::Random random(seed_);
+  return recovery::search_core(
+      core, point.u(), cutoff() - state_.lower, packing, search, random, deadline_);
 }
 
 // Two dimensions: the relaxed problem is the problem.
@@ -168,22 +200,6 @@ void ComponentSolver::relax() {
     return packing;
   };
   accept_dual(relax::maximize_dual(component_, {}, loop, recover), "relaxation");
-}
-
-// The first rounds of the dual method are for all components alike; where a gap is left, a larger
-// bundle goes on from their multipliers as long as a round is worth its time.  Fixing makes every
-// bit count twice.
-void ComponentSolver::sharpen(double allowed_gap) {
-  for (int round = 0; round < kSharpenRounds && !close_enough(allowed_gap); ++round) {
-    const double gap = state_.best.cost - state_.lower;
-    relax::LagrangianOptions loop = loop_options(options_, deadline_);
-    loop.max_evaluations = kSharpenEvaluations;
-    loop.bundle_size = kSharpenBundle;
-    loop.recovery_interval = 0;
-    loop.goal = cutoff();
-    accept_dual(relax::maximize_dual(component_, state_.u, loop, {}), "sharpened bound");
-    if (deadline_.reached() || state_.best.cost - state_.lower > kWorthwhile * gap) return;
-  }
 }
 
 void ComponentSolver::accept_dual(relax::LagrangianResult result, const char* event) {

@@ -6,6 +6,7 @@
 #include "core/clock.hpp"
 #include "core/component.hpp"
 #include "core/shift.hpp"
+#include "cutting/master.hpp"
 #include "nda/options.hpp"
 #include "nda/solution.hpp"
 #include "relax/lagrangian.hpp"
@@ -68,8 +69,9 @@ class ComponentSolver {
   void enumerate();
   void relax();
   void search(int effort);
-  void sharpen(double allowed_gap);
   void accept_dual(relax::LagrangianResult result, const char* event);
+  void branch_and_cut(double allowed_gap);
+  core::Packing round(const core::Component& core, const cutting::Master& point) const;
   void branch(double allowed_gap);
   bool offer(const core::Packing& packing, const char* event);
   void raise_bound(double lower, const char* event);
