@@ -18,6 +18,7 @@ using core::ArcId;
 constexpr double kIntegral = 1e-6;
 constexpr std::size_t kCandidates = 8;
 constexpr int kTrialIterations = 60;
+constexpr double kWorthwhile = 0.03;
 
 }  // namespace
 
@@ -50,6 +51,7 @@ double BranchAndCut::explore(int depth, double inherited) {
   loop.first_patterns = depth == 0 ? limits_.root_patterns : limits_.node_patterns;
   if (depth > 0) loop.most_patterns = limits_.node_patterns;
   loop.fix = depth == 0;
+  loop.worthwhile = kWorthwhile;
   loop.deadline = limits_.deadline;
   const auto round = [&](const Master& master) {
     if (depth == 0) cutoff_ = offer_(master, nullptr);
@@ -64,8 +66,6 @@ double BranchAndCut::explore(int depth, double inherited) {
     cutoff_ = offer_(master_, &found);
     return lower;
   }
-  cutoff_ = offer_(master_, nullptr);
-  if (lower >= cutoff_) return lower;
   const Choice choice = choose();
   const bool together_first = choice.together <= choice.apart;
   double least = kInfinity;

@@ -13,8 +13,7 @@ namespace {
 constexpr double kLeastViolation = 0.02;
 constexpr std::size_t kLeastCuts = 400;
 constexpr int kMostIdle = 3;
-// A round that closes less than this share of the gap calls for harder patterns, or ends the loop.
-constexpr double kWorthwhile = 0.002;
+constexpr int kLongestPause = 7;
 constexpr int kPatience = 2;
 
 // The most violated cuts, few of them over the same row.
@@ -27,19 +26,38 @@ void keep_best(std::vector<ViolatedCut>& cuts, std::size_t most) {
   if (cuts.size() > most) cuts.resize(most);
 }
 
-std::vector<ViolatedCut> separate(Separator& separator,
-                                  std::size_t stage,
-                                  core::Random& random,
-                                  const core::Deadline& deadline) {
-  std::vector<ViolatedCut> found = separator.three_rows(kLeastViolation);
-  for (std::size_t p = 0; p < stage; ++p) {
-    std::vector<ViolatedCut> more =
-        separator.search(patterns()[p], kLeastViolation, random, deadline);
-    keep_best(more, kLeastCuts);
-    found.insert(found.end(), more.begin(), more.end());
+// Separation by all patterns in turn.  One that finds nothing pauses, each time for longer.
+class Separation {
+ public:
+  explicit Separation(const core::Deadline& deadline)
+      : deadline_(deadline), pauses_(patterns().size()) {}
+
+  // All violated cuts that are found by the first `count` patterns and by three rows.
+  std::vector<ViolatedCut> operator()(Separator& separator, std::size_t count) {
+    std::vector<ViolatedCut> found = separator.three_rows(kLeastViolation);
+    for (std::size_t p = 0; p < count; ++p) {
+      Pause& pause = pauses_[p];
+      if (pause.left > 0 && --pause.left >= 0) continue;
+      std::vector<ViolatedCut> more =
+          separator.search(patterns()[p], kLeastViolation, random_, deadline_);
+      pause.length = more.empty() ? std::min(2 * pause.length + 1, kLongestPause) : 0;
+      pause.left = pause.length;
+      keep_best(more, kLeastCuts);
+      found.insert(found.end(), more.begin(), more.end());
+    }
+    return found;
   }
-  return found;
-}
+
+ private:
+  struct Pause {
+    int length = 0;
+    int left = 0;
+  };
+
+  const core::Deadline& deadline_;
+  core::Random random_{1};
+  std::vector<Pause> pauses_;
+};
 
 }  // namespace
 
@@ -50,7 +68,7 @@ CutLoopEnd run_cut_loop(const core::Component& component,
   double cutoff = options.cutoff;
   double last_lower = -kInfinity;
   int idle_rounds = 0;
-  core::Random random(1);
+  Separation separate(options.deadline);
   const std::size_t last = std::min(options.most_patterns, patterns().size());
   std::size_t stage = std::min(options.first_patterns, last);
   for (int round = 0; round < options.max_rounds; ++round) {
@@ -66,13 +84,13 @@ CutLoopEnd run_cut_loop(const core::Component& component,
     master.drop_idle(kMostIdle);
     Separator separator(component, master.arcs(), master.values());
     if (separator.integral()) return CutLoopEnd::kIntegral;
-    if (gain < kWorthwhile * gap) {
+    if (gain < options.worthwhile * gap) {
       if (stage == last && ++idle_rounds > kPatience) return CutLoopEnd::kStalled;
       stage = std::min(last, stage == 0 ? 1 : stage + 3);
     } else {
       idle_rounds = 0;
     }
-    std::vector<ViolatedCut> cuts = separate(separator, stage, random, options.deadline);
+    std::vector<ViolatedCut> cuts = separate(separator, stage);
     keep_best(cuts, std::max(kLeastCuts, component.num_indices() / 5));
     if (cuts.empty() && stage == last) return CutLoopEnd::kStalled;
     for (const ViolatedCut& violated : cuts) master.add(violated.cut);

@@ -24,7 +24,10 @@ struct CutLoopOptions {
   int max_rounds = 200;
   std::size_t first_patterns = 0;  ///< of patterns(), beside the cuts over three rows, at first
   std::size_t most_patterns = kAllPatterns;  ///< and when the gain has fallen off
-  bool fix = true;                           ///< drop arcs for good; not below a branching
+  /// A round that closes less than this share of the gap calls for harder patterns or ends the
+  /// loop.
+  double worthwhile = 0.005;
+  bool fix = true;  ///< drop arcs for good; not below a branching
   core::Deadline deadline;
 };
 

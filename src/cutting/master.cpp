@@ -17,6 +17,8 @@ using core::ArcId;
 using core::Component;
 
 constexpr double kTolerance = 1e-9;
+constexpr double kBeyond = 1e-7;
+constexpr int kNoIterationLimit = 1 << 30;
 constexpr std::size_t kStartArcsPerIndex = 8;
 constexpr std::size_t kStartArcs = 1000;
 constexpr std::size_t kMostEntering = 6000;
@@ -124,27 +126,39 @@ std::vector<ArcId> Master::entering() const {
 }
 
 lp::Outcome Master::solve(double cutoff, const core::Deadline& deadline) {
+  // A little beyond the cutoff, so that the bound computed here reaches it as well.
+  double limit = cutoff + kBeyond * (1 + std::abs(cutoff));
   for (;;) {
-    const lp::Outcome outcome = dual_feasible_ ? program_.solve_dual(deadline, kInfinity, 1 << 30)
-                                               : program_.solve_primal(deadline);
-    dual_feasible_ = false;
-    if (outcome != lp::Outcome::kOptimal) return outcome;
-    const std::span<const double> dual = program_.dual();
-    for (std::size_t slot = 0; slot < u_.size(); ++slot) {
-      u_[slot] = forced_[slot] > 0 ? dual[slot] : std::min(0.0, dual[slot]);
-    }
-    for (std::size_t c = 0; c < cuts_.size(); ++c) {
-      cuts_[c].multiplier = std::min(0.0, dual[u_.size() + c]);
-    }
+    const lp::Outcome outcome = dual_feasible_
+                                    ? program_.solve_dual(deadline, limit, kNoIterationLimit)
+                                    : program_.solve_primal(deadline);
+    if (outcome == lp::Outcome::kStopped || outcome == lp::Outcome::kFailed) return outcome;
+    take_multipliers();
     price();
+    if (lower_ >= cutoff) return lp::Outcome::kCutoff;
+    if (outcome == lp::Outcome::kCutoff) {
+      limit = kInfinity;  // the bound is not as good as the objective: go on to the optimum
+      continue;
+    }
+    dual_feasible_ = false;
     const std::vector<ArcId> more = entering();
     if (more.empty()) break;
     insert(more);
-    if (lower_ >= cutoff) return lp::Outcome::kCutoff;
     if (deadline.reached()) return lp::Outcome::kStopped;
   }
-  for (CutRow& row : cuts_) row.idle = row.multiplier < -1e-9 ? 0 : row.idle + 1;
+  for (CutRow& row : cuts_) row.idle = row.multiplier < -kTolerance ? 0 : row.idle + 1;
   return lp::Outcome::kOptimal;
+}
+
+// The program's multipliers with the signs that the bound wants.
+void Master::take_multipliers() {
+  const std::span<const double> dual = program_.dual();
+  for (std::size_t slot = 0; slot < u_.size(); ++slot) {
+    u_[slot] = forced_[slot] > 0 ? dual[slot] : std::min(0.0, dual[slot]);
+  }
+  for (std::size_t c = 0; c < cuts_.size(); ++c) {
+    cuts_[c].multiplier = std::min(0.0, dual[u_.size() + c]);
+  }
 }
 
 void Master::forbid(std::span<const ArcId> arcs) {

@@ -75,6 +75,7 @@ class Master {
 
  private:
   void insert(std::span<const core::ArcId> arcs);
+  void take_multipliers();
   void price();
   std::vector<core::ArcId> entering() const;
   void rebuild_index();

@@ -23,7 +23,7 @@ constexpr double kConvex = 0.02;
 constexpr double kTie = 1e-12;
 constexpr int kSweeps = 4;
 constexpr std::size_t kStarts = 3;
-constexpr std::size_t kPatience = 80;
+constexpr std::size_t kPatience = 50;
 constexpr std::size_t kEnough = 150;
 constexpr double kNoise = 0.5;
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
@@ -242,7 +242,7 @@ std::vector<ViolatedCut> Separator::search(const Pattern& pattern,
   std::vector<std::uint32_t> seeds(num_rows());
   std::iota(seeds.begin(), seeds.end(), 0u);
   for (std::size_t k = seeds.size(); k > 1; --k) std::swap(seeds[k - 1], seeds[random_.below(k)]);
-  const std::size_t patience = kPatience + seeds.size() / 6;
+  const std::size_t patience = kPatience + seeds.size() / 8;
   const std::size_t enough = kEnough + seeds.size() / 4;
   std::size_t fruitless = 0;
   for (std::size_t k = 0; k < kStarts * seeds.size(); ++k) {

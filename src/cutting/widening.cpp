@@ -16,7 +16,9 @@ namespace {
 using core::ArcId;
 
 constexpr double kFirstReach = 0.125;  // of the gap
-constexpr double kWiden = 1.6;
+constexpr double kWidenFast = 2;
+constexpr double kWidenSlowly = 1.5;
+constexpr std::int64_t kFewNodes = 15;
 
 std::vector<ArcId> all_arcs(const core::Component& component) {
   std::vector<ArcId> arcs(component.num_arcs());
@@ -39,7 +41,10 @@ class Widening {
   WideningResult run() {
     if (limits_.max_nodes > 0 && tighten()) {
       double reach = kFirstReach * (cutoff_ - master_.lower());
-      while (search(master_.lower() + reach)) reach *= kWiden;
+      for (std::int64_t before = result_.nodes; search(master_.lower() + reach);
+           before = result_.nodes) {
+        reach *= result_.nodes - before < kFewNodes ? kWidenFast : kWidenSlowly;
+      }
     }
     result_.complete = result_.lower >= cutoff_;
     return result_;

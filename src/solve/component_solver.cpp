@@ -31,6 +31,9 @@ constexpr std::int64_t kEnumerationNodes = 200000;
 constexpr int kFeasibleSweeps = 3;
 // Above this the linear program would be too large to be of use, and memory runs out.
 constexpr std::size_t kMostCuttingArcs = 2000000;
+// A rounded point is worth descending from when it misses the best by at most this share of the
+// gap.
+constexpr double kPromising = 0.25;
 
 relax::LagrangianOptions loop_options(const Options& options, const core::Deadline& deadline) {
   relax::LagrangianOptions loop;
@@ -146,6 +149,8 @@ void ComponentSolver::branch_and_cut(double allowed_gap) {
 // A packing near a relaxed point: its largest values first, then descent.
 Packing ComponentSolver::round(const Component& core, const cutting::Master& point) const {
   const Packing packing = recovery::round_values(core, point.arcs(), point.values());
+  const double gap = state_.best.cost - state_.lower;
+  if (packing.cost > state_.best.cost + kPromising * gap) return packing;
   recovery::CoreSearchOptions search;
   search.kicks_per_index = 0;
   search.goal = state_.lower + precision_.error;
