@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <exception>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -57,6 +59,12 @@ enum class Assign2dMethod {
   kNetworkSimplex,  ///< LEMON's network simplex: the slow reference
 };
 
+/// A solve was given up because Assign2dSolver::set_stop() asked for it.
+class Assign2dInterrupted : public std::exception {
+ public:
+  const char* what() const noexcept override { return "the assignment was interrupted"; }
+};
+
 /// Solves many problems one after the other, as a dual loop does.
 ///
 /// Memory is kept between calls: once a shape has been seen, kShortestPath and kAuction allocate
@@ -79,6 +87,11 @@ class Assign2dSolver {
   void solve_warm(const Assign2dProblem& problem, Assign2dResult& result) {
     do_solve(problem, result, true);
   }
+
+  /// From now on a solve asks `stop` (null: nobody) every 50000 pairs or so that it looks at, and
+  /// throws Assign2dInterrupted when that answers true.  `result` is then of the right shape and
+  /// assigns nobody twice, but proves nothing.  kNetworkSimplex asks only at the end.
+  virtual void set_stop(const std::function<bool()>* stop) = 0;
 
  private:
   virtual void do_solve(const Assign2dProblem& problem, Assign2dResult& result, bool warm) = 0;

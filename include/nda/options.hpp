@@ -60,22 +60,28 @@ struct Progress {
   double cost = kInfinity;  ///< of the best known solution
   double lower_bound = -kInfinity;
   std::size_t components_done = 0;
-  std::size_t num_components = 0;
-  const char* event = "";  ///< what found it: "greedy", "recovery", "local search", "bound", ...
+  std::size_t num_components = 0;  ///< 0 until they are known
+  const char* event = "";          ///< what found it: "greedy", "local search", ...; or "working"
 };
 
 /// Everything that can be asked of a solve.  docs/options.md lists names, defaults and ranges.
 struct Options {
   Method method = Method::kAuto;
-  double time_limit_s = kInfinity;  ///< obeyed to 5 ms or 1 %; > 0
-  double relative_gap = 0;          ///< stop when (cost - bound) / |cost| is at most this; >= 0
-  int num_threads = 1;              ///< 0 = all cores; <= 1024; the answer does not depend on it
-  std::uint64_t seed = 1;           ///< of the randomised searches
+  /// Seconds, > 0.  Obeyed to 5 ms, or 1 %, or 60 ns for every arc and index of the problem,
+  /// whichever is most: so much may the longest stretch between two looks at the clock take, or the
+  /// certificate of the bound, which every answer carries (measured: bench/deadline.py).  A limit
+  /// too short for anything else gives the singletons and the bound that they prove.  Requests to
+  /// stop are met as quickly.
+  double time_limit_s = kInfinity;
+  double relative_gap = 0;  ///< stop when (cost - bound) / |cost| is at most this; >= 0
+  int num_threads = 1;      ///< 0 = all cores; <= 1024; the answer does not depend on it
+  std::uint64_t seed = 1;   ///< of the randomised searches
   RelaxationOptions relaxation;
   SearchOptions search;
   BranchOptions branch;
 
-  /// Called on every improvement, never concurrently; return false to stop.
+  /// Called on every improvement, and with the event "working" when there was none for a second;
+  /// by a thread that solves, never concurrently.  Return false to stop.
   std::function<bool(const Progress&)> progress;
   std::stop_token stop;
 };

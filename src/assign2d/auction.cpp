@@ -55,6 +55,7 @@ bool AuctionSolver::hold_auction(const Phase<View>& phase, double epsilon) {
     if (budget-- == 0) return false;
     const std::uint32_t i = bidders_.back();
     bidders_.pop_back();
+    stop_check_.spend(phase.view.start[i + 1] - phase.view.start[i]);
     const Offers best = best_offers(phase, i);
     if (best.first == kInfinity) return false;
     if (best.first_pair == kNone) {

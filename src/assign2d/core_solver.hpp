@@ -14,6 +14,10 @@ namespace nda::lap {
 class CoreSolver final : public Assign2dSolver {
  public:
   void solve_matrix(const DenseProblem& problem, Assign2dResult& result, bool warm);
+  void set_stop(const std::function<bool()>* stop) override {
+    sparse_.set_stop(stop);
+    dense_.set_stop(stop);
+  }
 
  private:
   void do_solve(const Assign2dProblem& problem, Assign2dResult& result, bool warm) override {

@@ -91,6 +91,7 @@ bool DensePaths::bid(const DensePhase& phase) {
     bool gain = true;
     while (i != kNone && gain && budget > 0) {
       --budget;
+      stop_check_.spend(phase.other.size());
       const BidOutcome outcome = bid_once(phase, i);
       i = outcome.displaced;
       gain = outcome.gain;
@@ -136,6 +137,7 @@ DensePaths::End DensePaths::find_path(const DensePhase& phase, std::uint32_t sou
 
 // Relaxes the line of i; returns the least distance left.
 double DensePaths::scan(const DensePhase& phase, std::uint32_t i, double distance, End& end) {
+  stop_check_.spend(phase.other.size());
   const double dual = phase.own.dual[i];
   const double fallback = distance + std::max(0.0, phase.own.outside[i] - dual);
   if (fallback < end.distance) end = {fallback, true, i};

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "assign2d/side.hpp"
+#include "assign2d/stop_check.hpp"
 
 namespace nda::lap {
 
@@ -19,6 +20,9 @@ class DensePaths {
  public:
   /// Prepares for sides of at most n members.
   void resize(std::size_t n);
+
+  /// See Assign2dSolver::set_stop().
+  void set_stop(const std::function<bool()>* stop) { stop_check_.set(stop); }
 
   /// Bids: cheap, may leave some in want.  @return true if nobody is.
   bool bid(const DensePhase& phase);
@@ -42,6 +46,7 @@ class DensePaths {
   void update_duals(const DensePhase& phase, std::uint32_t source, double length) const;
   void flip(const DensePhase& phase, std::uint32_t source, const End& end) const;
 
+  StopCheck stop_check_;
   std::vector<std::uint32_t> waiting_;  // members of own in want
   std::vector<std::uint32_t> settled_;  // members of other in the order of their distances
   std::vector<double> settled_at_;      // those distances

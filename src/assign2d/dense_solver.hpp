@@ -14,6 +14,7 @@ namespace nda::lap {
 class DenseSolver final : public Assign2dSolver {
  public:
   void solve_matrix(const DenseProblem& problem, Assign2dResult& result, bool warm);
+  void set_stop(const std::function<bool()>* stop) override { paths_.set_stop(stop); }
 
  private:
   void do_solve(const Assign2dProblem& problem, Assign2dResult& result, bool warm) override {

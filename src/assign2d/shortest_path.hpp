@@ -20,6 +20,11 @@ class ShortestPathSolver final : public Assign2dSolver {
       core_.solve_matrix(problem, result, warm);
     }
   }
+  void set_stop(const std::function<bool()>* stop) override {
+    sparse_.set_stop(stop);
+    dense_.set_stop(stop);
+    core_.set_stop(stop);
+  }
 
  private:
   void do_solve(const Assign2dProblem& problem, Assign2dResult& result, bool warm) override {

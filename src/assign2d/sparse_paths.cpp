@@ -93,6 +93,7 @@ bool SparsePaths::bid(const Phase<View>& phase) {
     bool gain = true;
     while (i != kNone && gain && budget > 0) {
       --budget;
+      stop_check_.spend(phase.view.start[i + 1] - phase.view.start[i]);
       const BidOutcome outcome = bid_once(phase, i);
       i = outcome.displaced;
       gain = outcome.gain;
@@ -141,6 +142,7 @@ SparsePaths::End SparsePaths::find_path(const Phase<View>& phase, std::uint32_t 
 template <class View>
 void SparsePaths::scan(const Phase<View>& phase, std::uint32_t i, double distance, End& end) {
   const View& view = phase.view;
+  stop_check_.spend(view.start[i + 1] - view.start[i]);
   const double dual = phase.own.dual[i];
   const double fallback = distance + std::max(0.0, phase.own.outside[i] - dual);
   if (fallback < end.distance) end = {fallback, true, i};

@@ -5,6 +5,7 @@
 
 #include "assign2d/quad_heap.hpp"
 #include "assign2d/side.hpp"
+#include "assign2d/stop_check.hpp"
 
 namespace nda::lap {
 
@@ -18,6 +19,9 @@ class SparsePaths {
  public:
   /// Prepares for sides of at most n members.
   void resize(std::size_t n);
+
+  /// See Assign2dSolver::set_stop().
+  void set_stop(const std::function<bool()>* stop) { stop_check_.set(stop); }
 
   /// Bids: cheap, may leave some in want.  @return true if nobody is.
   template <class View>
@@ -48,6 +52,7 @@ class SparsePaths {
   void flip(const Phase<View>& phase, std::uint32_t source, const End& end) const;
   void forget_search();
 
+  StopCheck stop_check_;
   std::vector<std::uint32_t> waiting_;    // members of own in want
   std::vector<double> distance_;          // of each member of other; +inf = not reached
   std::vector<std::uint32_t> from_;       // member of own before it on the path

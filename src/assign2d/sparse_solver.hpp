@@ -16,6 +16,7 @@ class SparseSolver final : public Assign2dSolver {
   void reserve(std::size_t num_pairs, std::size_t num_members) {
     transpose_.reserve(num_pairs, num_members);
   }
+  void set_stop(const std::function<bool()>* stop) override { paths_.set_stop(stop); }
 
  private:
   void do_solve(const Assign2dProblem& problem, Assign2dResult& result, bool warm) override;

@@ -82,6 +82,7 @@ class BranchAndBound {
     if (bound.packing.cost < cutoff)
       accept(result, to_original(component, bound.packing), cutoff, slack);
     if (bound.lower >= cutoff) return finish(result, cutoff, kInfinity, slack);
+    if (limits_.deadline.reached()) return finish(result, cutoff, bound.lower, slack);
     const Reduction reduction = collaborators_.reduce(component, bound, cutoff);
     const bool whole = reduction.taken.arcs.empty() && reduction.parts.size() == 1 &&
                        static_cast<double>(reduction.parts[0].num_arcs()) >

@@ -4,6 +4,8 @@
 #include <numeric>
 #include <vector>
 
+#include "core/slices.hpp"
+
 // The report (4.7) leaves small components to branch and bound.  Branching on an index, not on an
 // arc, keeps the tree balanced: exactly one use of the index happens, one of its arcs or none. Only
 // indices with u < 0 need a decision: leaving any other uncovered is free, and no arc left can pay
@@ -16,6 +18,7 @@ using core::ArcId;
 using core::Component;
 
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
+constexpr std::size_t kManyArcs = 2000;
 
 class Enumeration {
  public:
@@ -38,9 +41,10 @@ class Enumeration {
     }
     order_.resize(num_arcs);
     std::iota(order_.begin(), order_.end(), 0u);
-    std::sort(order_.begin(), order_.end(), [&](ArcId a, ArcId b) {
+    const auto cheaper = [&](ArcId a, ArcId b) {
       return reduced_[a] != reduced_[b] ? reduced_[a] < reduced_[b] : a < b;
-    });
+    };
+    stopped_ = !core::sort_until(deadline, order_, cheaper);
     num_uses_.resize(component.num_slots());
   }
 
@@ -62,9 +66,16 @@ class Enumeration {
   }
 
  private:
+  // Every few hundred thousand arcs looked at.
+  bool is_time_to_look(const std::vector<ArcId>& live) const {
+    return nodes_ % 256 == 0 || live.size() > kManyArcs;
+  }
+
   // live: arcs that fit, cheapest first; spent: reduced costs and uncovered indices so far.
   void descend(const std::vector<ArcId>& live, double spent) {
-    if (++nodes_ >= max_nodes_ || (nodes_ % 256 == 0 && deadline_.reached())) stopped_ = true;
+    if (++nodes_ >= max_nodes_ || (is_time_to_look(live) && deadline_.reached())) {
+      stopped_ = true;
+    }
     if (stopped_) return;
     const std::uint32_t slot = choose_slot(live, spent);
     if (slot == kNone) return accept(spent);

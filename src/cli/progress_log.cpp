@@ -6,8 +6,8 @@
 
 namespace nda::cli {
 void ProgressLog::operator()(const Progress& progress) {
-  const double gap =
-      (progress.cost - progress.lower_bound) / std::max(1e-9, std::abs(progress.cost));
+  const double open = progress.cost - progress.lower_bound;
+  const double gap = std::isfinite(open) ? open / std::max(1e-9, std::abs(progress.cost)) : open;
   const bool closes = !closed_ && gap <= 1e-12;
   if (progress.seconds < next_seconds_ && !closes) return;
   closed_ = closed_ || closes;

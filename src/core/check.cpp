@@ -1,5 +1,6 @@
 #include "nda/check.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -193,6 +194,119 @@ void check_claims(const Problem& problem, const Solution& solution, CheckReport&
                           " does not meet it");
 }
 
+// The terms of a certificate, and the sum of their absolute values.  Neighbours go to different
+// sums, so that no addition waits for the one before.
+class CertificateSum {
+ public:
+  void add(std::size_t position, double term) {
+    sums_[position % kSums].add(term);
+    magnitude_ += std::abs(term);
+  }
+  void enlarge(double magnitude) { magnitude_ += magnitude; }
+
+  // Not above the exact sum of what was added in at most so many terms (6 or more).  The few
+  // additions here are covered too, as 2^-100 is sixteen times what one term needs.
+  double rounded_down(double terms) const {
+    if (magnitude_ == 0) return 0;
+    if (!std::isfinite(magnitude_)) return -kInfinity;
+    core::DoubleDouble total;
+    for (const core::DoubleDouble& sum : sums_) {
+      total.add(sum.high());
+      total.add(sum.low());
+    }
+    const double error = terms * 0x1p-100 * magnitude_;
+    if (error == 0) return 0.0;
+    total.add(-error);
+    return std::nextafter(total.high(), -kInfinity);
+  }
+
+ private:
+  static constexpr std::size_t kSums = 8;
+
+  core::DoubleDouble sums_[kSums];
+  double magnitude_ = 0;
+};
+
+// Sums c - sum of u over many arcs at a time, in double-double, which fills the vector units.
+class ReducedCosts {
+ public:
+  static constexpr std::size_t kMost = 128;  // arcs at a time
+
+  ReducedCosts(const Problem& problem, const std::vector<std::vector<double>>& multipliers)
+      : costs_(problem.costs().data()), num_(multipliers.size()) {
+    for (std::size_t k = 0; k < num_; ++k) {
+      columns_[k] = problem.indices(static_cast<int>(k)).data();
+      table_[k].reserve(multipliers[k].size() + 1);
+      table_[k].push_back(0.0);
+      table_[k].insert(table_[k].end(), multipliers[k].begin(), multipliers[k].end());
+      multipliers_[k] = table_[k].data();
+    }
+  }
+
+  // In plain arithmetic, whose n rounding errors are below `size` 2^-53 each.
+  bool surely_positive(std::size_t a) const {
+    double value = costs_[a];
+    double size = std::abs(value);
+    for (std::size_t k = 0; k < num_; ++k) {
+      const double u = multiplier(k, a);
+      value -= u;
+      size += std::abs(u);
+    }
+    return value > size * static_cast<double>(num_ + 1) * 0x1p-51;
+  }
+
+  void put(std::size_t a) { arcs_[count_++] = a; }
+  bool full() const { return count_ == kMost; }
+
+  // Adds the negative ones of the arcs that were put, and forgets all of them.
+  void add_negative_to(CertificateSum& sum) {
+    for (std::size_t n = 0; n < count_; ++n) {
+      high_[n] = costs_[arcs_[n]];
+      low_[n] = 0;
+      size_[n] = std::abs(high_[n]);
+    }
+    for (std::size_t k = 0; k < num_; ++k) subtract_multipliers(k);
+    for (std::size_t n = 0; n < count_; ++n) {
+      const bool negative = high_[n] < 0 || (high_[n] == 0 && low_[n] < 0);
+      // Where the sum may have overflown its sign says nothing.
+      if (!negative && std::isfinite(size_[n])) continue;
+      sum.add(n, high_[n]);
+      sum.add(n, low_[n]);
+      sum.enlarge(size_[n]);
+    }
+    count_ = 0;
+  }
+
+ private:
+  double multiplier(std::size_t k, std::size_t a) const { return multipliers_[k][columns_[k][a]]; }
+
+  // DoubleDouble::add for all at once.
+  void subtract_multipliers(std::size_t k) {
+    std::array<double, kMost> terms;
+    for (std::size_t n = 0; n < count_; ++n) terms[n] = -multiplier(k, arcs_[n]);
+    for (std::size_t n = 0; n < count_; ++n) {
+      const double x = terms[n];
+      const double sum = high_[n] + x;
+      const double part = sum - high_[n];
+      const double low = low_[n] + ((high_[n] - (sum - part)) + (x - part));
+      high_[n] = sum + low;
+      low_[n] = low - (high_[n] - sum);
+      size_[n] += std::abs(x);
+    }
+  }
+
+  const double* costs_;
+  const std::size_t num_;
+  std::array<const Index*, kMaxDimensions> columns_{};
+  std::array<const double*, kMaxDimensions> multipliers_{};  // by index, 0 for the dummy
+  std::array<std::vector<double>, kMaxDimensions> table_;
+  std::size_t count_ = 0;
+  std::array<std::size_t, kMost> arcs_;
+  std::array<double, kMost> high_;
+  std::array<double, kMost> low_;
+  std::array<double, kMost> size_;
+};
+
 }  // namespace
 
 CheckReport check(const Problem& problem, const Solution& solution) {
@@ -212,47 +326,27 @@ CheckReport check(const Problem& problem, const Solution& solution) {
 
 double certificate_bound(const Problem& problem,
                          const std::vector<std::vector<double>>& multipliers) {
-  core::DoubleDouble bound;
-  double magnitude = 0;
-  const auto add = [&](double term) {
-    bound.add(term);
-    magnitude += std::abs(term);
-  };
+  CertificateSum sum;
   const std::size_t n = multipliers.size();
   for (std::size_t k = 0; k < n; ++k) {
     const auto singletons = problem.singleton_costs(static_cast<int>(k));
     for (std::size_t i = 1; i < singletons.size(); ++i) {
       const double u = multipliers[k][i - 1];
-      add(u);
+      sum.add(i, u);
       if (singletons[i] < u) {
-        add(singletons[i]);
-        add(-u);
+        sum.add(i, singletons[i]);
+        sum.add(i, -u);
       }
     }
   }
+  ReducedCosts reduced(problem, multipliers);
   for (std::size_t a = 0; a < problem.num_arcs(); ++a) {
-    core::DoubleDouble reduced(problem.costs()[a]);
-    double size = std::abs(problem.costs()[a]);
-    for (std::size_t k = 0; k < n; ++k) {
-      const Index i = problem.indices(static_cast<int>(k))[a];
-      if (i == 0) continue;
-      reduced.add(-multipliers[k][i - 1]);
-      size += std::abs(multipliers[k][i - 1]);
-    }
-    // Where the sum may have overflown its sign says nothing.
-    if (!reduced.negative() && std::isfinite(size)) continue;
-    add(reduced.high());
-    add(reduced.low());
-    magnitude += size;
+    if (!reduced.surely_positive(a)) reduced.put(a);
+    if (reduced.full()) reduced.add_negative_to(sum);
   }
-  if (magnitude == 0) return 0;
-  if (!std::isfinite(magnitude)) return -kInfinity;
-  const double terms =
-      static_cast<double>(problem.num_arcs() * (n + 2) + 3 * problem.num_indices());
-  const double error = terms * 0x1p-100 * magnitude;
-  if (error == 0) return 0.0;
-  bound.add(-error);
-  return std::nextafter(bound.high(), -kInfinity);
+  reduced.add_negative_to(sum);
+  return sum.rounded_down(
+      static_cast<double>(problem.num_arcs() * (n + 2) + 3 * problem.num_indices()));
 }
 
 }  // namespace nda

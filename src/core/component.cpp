@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/slices.hpp"
+
 namespace nda::core {
 namespace {
 
@@ -58,15 +60,16 @@ void append_arc(Component& component, std::span<const Index> tuple, double cost)
   component.costs.push_back(cost);
 }
 
-Component whole_problem(const Problem& problem, const Shift& shift) {
+Component whole_problem(const Problem& problem, const Shift& shift, const Deadline& deadline) {
   Component component = make_component({problem.sizes().begin(), problem.sizes().end()});
   for (int k = 0; k < problem.num_dimensions(); ++k) {
     component.indices[static_cast<std::size_t>(k)] = Column::borrow(problem.indices(k));
   }
   component.costs.reserve(problem.num_arcs());
-  for (std::size_t a = 0; a < problem.num_arcs(); ++a) {
+  const auto copy_cost = [&](std::size_t a) {
     component.costs.push_back(shifted_cost(problem, shift, a));
-  }
+  };
+  if (!for_each_until(deadline, problem.num_arcs(), copy_cost)) return {};
   return component;
 }
 
@@ -101,58 +104,93 @@ std::vector<double> restrict_slots(const Component& whole,
   return restricted;
 }
 
+// Numbers the slots that the arcs use 1 and lists them.
 template <typename Source>
-Component Cutter::cut_from(const Source& source, std::span<const ArcId> arcs) {
+bool Cutter::find_used(const Source& source,
+                       std::span<const ArcId> arcs,
+                       const Deadline& deadline) {
   if (number_.size() < source.num_slots()) number_.resize(source.num_slots(), 0);
   for (std::size_t k = 0; k < source.num_dimensions(); ++k) {
     const std::span<const Index> column = source.column(k);
-    for (const ArcId a : arcs) {
-      if (column[a] == 0) continue;
-      const std::uint32_t slot = source.offset(k) + column[a];
+    const auto note = [&](std::size_t n) {
+      const Index i = column[arcs[n]];
+      if (i == 0) return;
+      const std::uint32_t slot = source.offset(k) + i;
       if (number_[slot] == 0) used_.push_back(slot);
       number_[slot] = 1;
-    }
+    };
+    if (!for_each_until(deadline, arcs.size(), note)) return false;
   }
   std::sort(used_.begin(), used_.end());
-  Component part;
-  auto next_used = used_.begin();
-  for (std::size_t k = 0; k < source.num_dimensions(); ++k) {
-    const std::uint32_t end =
-        k + 1 < source.num_dimensions() ? source.offset(k + 1) : ~std::uint32_t{0};
-    if (next_used == used_.end() || *next_used >= end) continue;
-    part.offset.push_back(static_cast<std::uint32_t>(part.origin.size()));
-    part.dimensions.push_back(source.dimension(k));
-    part.origin.push_back(0);
-    Index size = 0;
-    for (; next_used != used_.end() && *next_used < end; ++next_used) {
-      number_[*next_used] = ++size;
-      part.origin.push_back(source.origin(k, *next_used));
-    }
-    part.sizes.push_back(size);
+  return true;
+}
+
+// Fills in columns, costs and origins once number_ holds the new numbers of the slots.
+template <typename Source>
+bool Cutter::copy_arcs(const Source& source,
+                       std::span<const ArcId> arcs,
+                       const Deadline& deadline,
+                       Component& part) const {
+  std::size_t p = 0;
+  for (std::size_t k = 0; k < source.num_dimensions() && p < part.sizes.size(); ++k) {
+    if (source.dimension(k) != part.dimensions[p]) continue;
     const std::span<const Index> column = source.column(k);
-    Column& copy = part.indices.emplace_back();
+    Column& copy = part.indices[p++];
     copy.reserve(arcs.size());
-    for (const ArcId a : arcs) {
-      copy.push_back(column[a] == 0 ? 0 : number_[source.offset(k) + column[a]]);
-    }
+    const auto renumber = [&](std::size_t n) {
+      const Index i = column[arcs[n]];
+      copy.push_back(i == 0 ? 0 : number_[source.offset(k) + i]);
+    };
+    if (!for_each_until(deadline, arcs.size(), renumber)) return false;
   }
   part.costs.reserve(arcs.size());
   part.arc_origin.reserve(arcs.size());
-  for (const ArcId a : arcs) {
-    part.costs.push_back(source.cost(a));
-    part.arc_origin.push_back(source.arc_origin(a));
+  return for_each_until(deadline, arcs.size(), [&](std::size_t n) {
+    part.costs.push_back(source.cost(arcs[n]));
+    part.arc_origin.push_back(source.arc_origin(arcs[n]));
+  });
+}
+
+template <typename Source>
+Component Cutter::cut_from(const Source& source,
+                           std::span<const ArcId> arcs,
+                           const Deadline& deadline) {
+  Component part;
+  if (find_used(source, arcs, deadline)) {
+    auto next_used = used_.begin();
+    for (std::size_t k = 0; k < source.num_dimensions(); ++k) {
+      const std::uint32_t end =
+          k + 1 < source.num_dimensions() ? source.offset(k + 1) : ~std::uint32_t{0};
+      if (next_used == used_.end() || *next_used >= end) continue;
+      part.offset.push_back(static_cast<std::uint32_t>(part.origin.size()));
+      part.dimensions.push_back(source.dimension(k));
+      part.origin.push_back(0);
+      Index size = 0;
+      for (; next_used != used_.end() && *next_used < end; ++next_used) {
+        number_[*next_used] = ++size;
+        part.origin.push_back(source.origin(k, *next_used));
+      }
+      part.sizes.push_back(size);
+    }
+    part.indices.resize(part.sizes.size());
+    if (!copy_arcs(source, arcs, deadline, part)) part = {};
   }
   for (const std::uint32_t slot : used_) number_[slot] = 0;
   used_.clear();
   return part;
 }
 
-Component Cutter::cut(const Component& source, std::span<const ArcId> arcs) {
-  return cut_from(ComponentSource{source}, arcs);
+Component Cutter::cut(const Component& source,
+                      std::span<const ArcId> arcs,
+                      const Deadline& deadline) {
+  return cut_from(ComponentSource{source}, arcs, deadline);
 }
 
-Component Cutter::cut(const Problem& source, const Shift& shift, std::span<const ArcId> arcs) {
-  return cut_from(ProblemSource{source, shift}, arcs);
+Component Cutter::cut(const Problem& source,
+                      const Shift& shift,
+                      std::span<const ArcId> arcs,
+                      const Deadline& deadline) {
+  return cut_from(ProblemSource{source, shift}, arcs, deadline);
 }
 
 }  // namespace nda::core

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/clock.hpp"
 #include "core/column.hpp"
 #include "core/shift.hpp"
 #include "nda/problem.hpp"
@@ -69,22 +70,35 @@ void append_arc(Component& component, std::span<const Index> tuple, double cost)
 /// The whole problem as one component, with shifted costs and borrowed columns: 8 bytes an arc.
 /// Arcs with c' >= 0 are kept, and indices that no arc uses; neither can harm.  The problem must
 /// outlive it.
-Component whole_problem(const Problem& problem, const Shift& shift);
+/// Without arcs where the deadline strikes.
+Component whole_problem(const Problem& problem, const Shift& shift, const Deadline& deadline = {});
 
 /// Cuts components out of a problem or a component; keeps its scratch memory between calls.
 class Cutter {
  public:
   /// Keeps the arcs of `arcs` (ascending) and the indices they use, renumbered in order; dimensions
   /// without any are dropped.  arc_origin, dimensions and origin are carried along.
-  /// Cost: O(arcs * N + indices log indices).
-  Component cut(const Component& source, std::span<const ArcId> arcs);
+  /// Empty where the deadline strikes.  Cost: O(arcs * N + indices log indices).
+  Component cut(const Component& source,
+                std::span<const ArcId> arcs,
+                const Deadline& deadline = {});
 
   /// The same out of a problem, with shifted costs; arc_origin are arcs of the problem.
-  Component cut(const Problem& source, const Shift& shift, std::span<const ArcId> arcs);
+  Component cut(const Problem& source,
+                const Shift& shift,
+                std::span<const ArcId> arcs,
+                const Deadline& deadline = {});
 
  private:
   template <typename Source>
-  Component cut_from(const Source& source, std::span<const ArcId> arcs);
+  Component cut_from(const Source& source, std::span<const ArcId> arcs, const Deadline& deadline);
+  template <typename Source>
+  bool find_used(const Source& source, std::span<const ArcId> arcs, const Deadline& deadline);
+  template <typename Source>
+  bool copy_arcs(const Source& source,
+                 std::span<const ArcId> arcs,
+                 const Deadline& deadline,
+                 Component& part) const;
 
   std::vector<Index> number_;        // [slot of the source]: new index, 0 between calls
   std::vector<std::uint32_t> used_;  // slots of the source

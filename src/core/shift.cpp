@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/slices.hpp"
+
 // How high must the penalty of a forbidden singleton be?  Write |c_a| / (number of real indices of
 // a) for the share of an index in arc a, and w_i for the largest share of index i over its arcs and
 // its singleton.  No solution costs more than W = sum w_i or less than -W, so penalty > 2 W makes
@@ -14,14 +16,15 @@ namespace {
 
 using Table = std::vector<std::vector<double>>;
 
-Table largest_shares(const Problem& problem) {
+// Empty where the deadline strikes.
+Table largest_shares(const Problem& problem, const Deadline& deadline) {
   Table share(static_cast<std::size_t>(problem.num_dimensions()));
   for (std::size_t k = 0; k < share.size(); ++k) {
     for (const double cost : problem.singleton_costs(static_cast<int>(k))) {
       share[k].push_back(cost < kInfinity ? std::abs(cost) : 0.0);
     }
   }
-  for (std::size_t a = 0; a < problem.num_arcs(); ++a) {
+  const auto note_arc = [&](std::size_t a) {
     int real = 0;
     for (int k = 0; k < problem.num_dimensions(); ++k) real += problem.indices(k)[a] != 0;
     const double part = std::abs(problem.costs()[a]) / real;
@@ -29,14 +32,17 @@ Table largest_shares(const Problem& problem) {
       const Index i = problem.indices(static_cast<int>(k))[a];
       if (i != 0) share[k][i] = std::max(share[k][i], part);
     }
-  }
+  };
+  if (!for_each_until(deadline, problem.num_arcs(), note_arc)) return {};
   return share;
 }
 
-double make_penalty(const Problem& problem) {
+double make_penalty(const Problem& problem, const Deadline& deadline) {
   double total = 0;
   double largest = 0;
-  for (const std::vector<double>& row : largest_shares(problem)) {
+  const Table shares = largest_shares(problem, deadline);
+  if (shares.empty()) return 0;
+  for (const std::vector<double>& row : shares) {
     for (const double share : row) {
       total += share;
       largest = std::max(largest, share);
@@ -63,9 +69,11 @@ bool on_grid(double cost, double scale) {
 }
 
 template <typename Predicate>
-bool all_costs(const Problem& problem, Predicate&& holds) {
-  for (const double cost : problem.costs()) {
-    if (!holds(cost)) return false;
+bool all_costs(const Problem& problem, const Deadline& deadline, Predicate&& holds) {
+  const auto costs = problem.costs();
+  for (std::size_t a = 0; a < costs.size(); ++a) {
+    if (a % kSlice == 0 && deadline.reached()) return false;
+    if (!holds(costs[a])) return false;
   }
   for (int k = 0; k < problem.num_dimensions(); ++k) {
     for (const double cost : problem.singleton_costs(k)) {
@@ -77,9 +85,9 @@ bool all_costs(const Problem& problem, Predicate&& holds) {
 
 }  // namespace
 
-Shift make_shift(const Problem& problem) {
+Shift make_shift(const Problem& problem, const Deadline& deadline) {
   Shift shift;
-  if (has_forbidden_singleton(problem)) shift.penalty = make_penalty(problem);
+  if (has_forbidden_singleton(problem)) shift.penalty = make_penalty(problem, deadline);
   std::uint32_t next = 0;
   for (int k = 0; k < problem.num_dimensions(); ++k) {
     shift.offset.push_back(next);
@@ -93,10 +101,10 @@ Shift make_shift(const Problem& problem) {
   return shift;
 }
 
-CostGrid find_grid(const Problem& problem) {
+CostGrid find_grid(const Problem& problem, const Deadline& deadline) {
   double scale = 1;
   for (int digits = 0; digits <= 9; ++digits, scale *= 10) {
-    if (all_costs(problem, [&](double cost) { return on_grid(cost, scale); })) {
+    if (all_costs(problem, deadline, [&](double cost) { return on_grid(cost, scale); })) {
       return {1 / scale, digits == 0};
     }
   }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/clock.hpp"
 #include "core/double_double.hpp"
 #include "nda/problem.hpp"
 
@@ -25,7 +26,9 @@ struct Shift {
   double penalty = 0;   ///< 0 when no singleton is forbidden
 };
 
-Shift make_shift(const Problem& problem);
+/// Where the deadline strikes before the penalty is known it is 0: the shift is then good for
+/// bounds, not for searching.
+Shift make_shift(const Problem& problem, const Deadline& deadline = {});
 
 /// c'[a], rounded once: charges may cancel, and then what is left of the cost decides.
 inline double shifted_cost(const Problem& problem, const Shift& shift, std::size_t a) {
@@ -45,6 +48,7 @@ struct CostGrid {
   bool exact = false;
 };
 
-CostGrid find_grid(const Problem& problem);
+/// No grid where the deadline strikes.
+CostGrid find_grid(const Problem& problem, const Deadline& deadline = {});
 
 }  // namespace nda::core

@@ -24,11 +24,13 @@ struct Partition {
 /// The connected components of a problem: indices are vertices, an arc connects its real indices.
 /// Arcs that cannot improve on the singletons of their indices (c'[a] >= 0) are left out first, so
 /// some optimal solution consists of an optimal solution of every component.  (They matter to the
-/// second best!) Components come in the order of their smallest arc. Cost: O(A N alpha), 4 bytes an
-/// arc.  Source: report, section 4.7.
-Partition partition(const Problem& problem, const core::Shift& shift);
+/// second best!) Components come in the order of their smallest arc.  No components at all where
+/// the deadline strikes.  Cost: O(A N alpha), 8 bytes an arc.  Source: report, section 4.7.
+Partition partition(const Problem& problem,
+                    const core::Shift& shift,
+                    const core::Deadline& deadline = {});
 
 /// The connected components of a component; all its arcs count.
-Partition partition(const core::Component& component);
+Partition partition(const core::Component& component, const core::Deadline& deadline = {});
 
 }  // namespace nda::decompose

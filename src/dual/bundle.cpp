@@ -30,7 +30,7 @@ Bundle::Bundle(std::size_t num_variables, std::size_t capacity, std::size_t eval
     : n_(num_variables),
       capacity_(capacity),
       num_evaluations_(evaluations),
-      columns_(capacity + 2, std::vector<double>(num_variables)),
+      columns_(capacity + 2),
       spare_(capacity),
       aggregate_(capacity + 1),
       gram_(capacity * capacity),

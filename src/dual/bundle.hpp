@@ -19,7 +19,7 @@ namespace nda::dual {
 /// namely d = t * aggregate, aggregate = sum of weight[i] g[i], with weights that minimise
 /// t/2 |sum l_i g_i|^2 + sum l_i error_i over the simplex.
 ///
-/// Memory: (capacity + 2) n numbers.  No allocation after construction.
+/// Memory: (size + 2) n numbers at most, each n when first needed.
 class Bundle {
  public:
   /// `evaluations` = 0, or how many evaluations the primal weights must be able to name.
@@ -60,7 +60,10 @@ class Bundle {
   std::vector<double> primal_weights() const;
 
  private:
-  std::span<double> column(std::size_t i) { return columns_[i]; }
+  std::span<double> column(std::size_t i) {
+    if (columns_[i].size() < n_) columns_[i].resize(n_);
+    return columns_[i];
+  }
   double& gram(std::size_t i, std::size_t j) { return gram_[i * capacity_ + j]; }
   void combine();
   std::size_t make_room();
@@ -72,7 +75,7 @@ class Bundle {
   std::size_t capacity_;
   std::size_t num_evaluations_;
   std::size_t size_ = 0;
-  std::vector<std::vector<double>> columns_;  // capacity_ + 2 buffers of n_ numbers
+  std::vector<std::vector<double>> columns_;  // capacity_ + 2 buffers of n_ numbers, or none yet
   std::vector<std::size_t> slot_;             // position in the bundle -> buffer
   std::size_t spare_;                         // buffer of the candidate
   std::size_t aggregate_;                     // buffer of the aggregate

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/slices.hpp"
 #include "recovery/greedy.hpp"
 #include "recovery/local_search.hpp"
 
@@ -57,12 +58,14 @@ std::vector<ArcId> core_arcs(const Component& component,
                              std::span<const double> u,
                              double gap,
                              std::size_t arcs_per_index,
-                             std::span<const ArcId> keep) {
+                             std::span<const ArcId> keep,
+                             const core::Deadline& deadline) {
   const std::size_t limit = std::min(arcs_per_index * component.num_indices(), kMostCoreArcs);
   Cheapest cheapest(gap, std::max<std::size_t>(1, limit));
-  for (ArcId a = 0; a < component.num_arcs(); ++a) {
-    cheapest.add(core::reduced_cost(component, u, a), a);
-  }
+  core::for_each_until(deadline, component.num_arcs(), [&](std::size_t a) {
+    const ArcId arc = static_cast<ArcId>(a);
+    cheapest.add(core::reduced_cost(component, u, arc), arc);
+  });
   std::vector<ArcId> arcs(keep.begin(), keep.end());
   cheapest.append_to(arcs);
   std::sort(arcs.begin(), arcs.end());
@@ -72,11 +75,12 @@ std::vector<ArcId> core_arcs(const Component& component,
 
 Packing greedy_in_core(const Component& component,
                        std::span<const double> u,
-                       std::size_t arcs_per_index) {
-  const std::vector<ArcId> arcs = core_arcs(component, u, kInfinity, arcs_per_index, {});
+                       std::size_t arcs_per_index,
+                       const core::Deadline& deadline) {
+  const std::vector<ArcId> arcs = core_arcs(component, u, kInfinity, arcs_per_index, {}, deadline);
   core::Cutter cutter;
-  const Component core = cutter.cut(component, arcs);
-  Packing packing = greedy(core, core.costs);
+  const Component core = cutter.cut(component, arcs, deadline);
+  Packing packing = greedy(core, core.costs, deadline);
   for (ArcId& a : packing.arcs) a = arcs[a];
   return packing;
 }
@@ -88,19 +92,21 @@ Packing search_core(const Component& component,
                     const CoreSearchOptions& options,
                     core::Random& random,
                     const core::Deadline& deadline) {
-  const std::vector<ArcId> arcs = core_arcs(component, u, gap, options.arcs_per_index, start.arcs);
+  const std::vector<ArcId> arcs =
+      core_arcs(component, u, gap, options.arcs_per_index, start.arcs, deadline);
   core::Cutter cutter;
-  const Component core = cutter.cut(component, arcs);
+  const Component core = cutter.cut(component, arcs, deadline);
+  if (deadline.reached()) return start;
   const std::vector<double> core_u = core::restrict_slots(component, u, core);
   Packing packing = start;
   for (ArcId& a : packing.arcs) {
     a = static_cast<ArcId>(std::lower_bound(arcs.begin(), arcs.end(), a) - arcs.begin());
   }
-  if (packing.arcs.empty()) packing = dual_greedy(core, core_u);
+  if (packing.arcs.empty()) packing = dual_greedy(core, core_u, deadline);
   const std::size_t size = std::min(core.num_indices(), core.num_arcs());
   const std::int64_t kicks =
       std::int64_t{options.kicks_per_index} * static_cast<std::int64_t>(size);
-  LocalSearch(core, core_u).improve(packing, kicks, options.goal, random, deadline);
+  LocalSearch(core, core_u, deadline).improve(packing, kicks, options.goal, random, deadline);
   if (packing.cost >= start.cost) return start;
   for (ArcId& a : packing.arcs) a = arcs[a];
   return packing;

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <vector>
 
+#include "core/slices.hpp"
 #include "recovery/packing_state.hpp"
 
 namespace nda::recovery {
@@ -14,12 +15,13 @@ using core::ArcId;
 // Values below are rounding errors of the linear program.
 constexpr double kNothing = 1e-6;
 
-core::Packing greedy(const core::Component& component, std::span<const double> key) {
+core::Packing greedy(const core::Component& component,
+                     std::span<const double> key,
+                     const core::Deadline& deadline) {
   std::vector<ArcId> order(component.num_arcs());
   std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](ArcId a, ArcId b) {
-    return key[a] != key[b] ? key[a] < key[b] : a < b;
-  });
+  const auto before = [&](ArcId a, ArcId b) { return key[a] != key[b] ? key[a] < key[b] : a < b; };
+  if (!core::sort_until(deadline, order, before)) return {};
   PackingState state(component);
   for (const ArcId a : order) {
     if (component.costs[a] < 0 && state.fits(a)) state.insert(a);
@@ -27,14 +29,16 @@ core::Packing greedy(const core::Component& component, std::span<const double> k
   return state.packing();
 }
 
-core::Packing dual_greedy(const core::Component& component, std::span<const double> u) {
+core::Packing dual_greedy(const core::Component& component,
+                          std::span<const double> u,
+                          const core::Deadline& deadline) {
   std::vector<double> key(component.num_arcs());
   for (ArcId a = 0; a < key.size(); ++a) {
     // Among arcs of equal reduced cost (the multipliers make thousands of zeros) the cheaper one
     // first.
     key[a] = core::reduced_cost(component, u, a) + 1e-6 * component.costs[a];
   }
-  return greedy(component, key);
+  return greedy(component, key, deadline);
 }
 
 core::Packing round_values(const core::Component& component,

@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "core/clock.hpp"
 #include "core/component.hpp"
 
 namespace nda::recovery {
@@ -9,11 +10,16 @@ namespace nda::recovery {
 /// Takes arcs in ascending order of `key` (num_arcs() entries) as long as they fit and cost less
 /// than nothing; ties by arc number.  key = costs is the plain greedy, key = reduced costs the
 /// dual-guided one (docs/state of the art in docs/methods.md: it ranks arcs by what they cost
-/// beyond the multipliers). Cost: O(A log A + A N).
-core::Packing greedy(const core::Component& component, std::span<const double> key);
+/// beyond the multipliers).  Empty where the deadline strikes while they are sorted.
+/// Cost: O(A log A + A N).
+core::Packing greedy(const core::Component& component,
+                     std::span<const double> key,
+                     const core::Deadline& deadline = {});
 
 /// Dual-guided greedy: key[a] = c'[a] - sum of u over its slots.
-core::Packing dual_greedy(const core::Component& component, std::span<const double> u);
+core::Packing dual_greedy(const core::Component& component,
+                          std::span<const double> u,
+                          const core::Deadline& deadline = {});
 
 /// Rounds a relaxed point: takes arcs[k] in descending order of values[k] > 0 as long as they fit,
 /// the cheaper ones first where values are equal.

@@ -23,9 +23,11 @@ constexpr std::int64_t kCycles = 4;
 
 }  // namespace
 
-LocalSearch::LocalSearch(const core::Component& component, std::span<const double> u)
+LocalSearch::LocalSearch(const core::Component& component,
+                         std::span<const double> u,
+                         const core::Deadline& deadline)
     : component_(component),
-      slot_arcs_(component),
+      slot_arcs_(component, deadline),
       arc_slots_(component),
       state_(component),
       reduced_(component.num_arcs()),

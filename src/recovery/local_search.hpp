@@ -24,7 +24,9 @@ class LocalSearch {
  public:
   /// Keeps a reference to the component.  u: feasible multipliers by slot (u <= 0, reduced costs >=
   /// 0).
-  LocalSearch(const core::Component& component, std::span<const double> u);
+  LocalSearch(const core::Component& component,
+              std::span<const double> u,
+              const core::Deadline& deadline = {});
 
   /// Improves a packing in place, stopping early at cost <= goal.  Deterministic for a given state
   /// of `random`.

@@ -3,17 +3,20 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/slices.hpp"
+
 namespace nda::recovery {
 
 using core::ArcId;
 using core::Component;
 using core::for_each_slot;
 
-SlotArcs::SlotArcs(const Component& component) : start_(component.num_slots() + 1, 0) {
+SlotArcs::SlotArcs(const Component& component, const core::Deadline& deadline)
+    : start_(component.num_slots() + 1, 0) {
   const std::size_t num_arcs = component.num_arcs();
   std::vector<ArcId> order(num_arcs);
   std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](ArcId a, ArcId b) {
+  core::sort_until(deadline, order, [&](ArcId a, ArcId b) {
     return component.costs[a] != component.costs[b] ? component.costs[a] < component.costs[b]
                                                     : a < b;
   });

@@ -4,14 +4,16 @@
 #include <span>
 #include <vector>
 
+#include "core/clock.hpp"
 #include "core/component.hpp"
 
 namespace nda::recovery {
 
-/// For every slot its arcs, cheapest first.  4 bytes per (arc, real index).
+/// For every slot its arcs, cheapest first (in any order where the deadline strikes).  4 bytes per
+/// (arc, real index).
 class SlotArcs {
  public:
-  explicit SlotArcs(const core::Component& component);
+  explicit SlotArcs(const core::Component& component, const core::Deadline& deadline = {});
 
   std::span<const core::ArcId> operator[](std::uint32_t slot) const {
     return std::span(arcs_).subspan(start_[slot], start_[slot + 1] - start_[slot]);

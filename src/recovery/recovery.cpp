@@ -32,24 +32,28 @@ class RecursiveRecovery : public Recovery {
   const Deadline deadline_;
 };
 
-std::vector<double> feasible_multipliers(const Component& component, const DualFunction& point) {
+std::vector<double> feasible_multipliers(const Component& component,
+                                         const DualFunction& point,
+                                         const Deadline& deadline) {
   std::vector<double> u(component.num_slots());
   point.multipliers(u);
-  relax::make_feasible(component, u);
+  relax::make_feasible(component, u, deadline);
   return u;
 }
 
 class DualGreedyRecovery : public Recovery {
  public:
-  explicit DualGreedyRecovery(const Component& component) : component_(component) {}
+  DualGreedyRecovery(const Component& component, const Deadline& deadline)
+      : component_(component), deadline_(deadline) {}
 
   const char* name() const override { return "dual-guided greedy"; }
   Packing recover(const DualFunction& point) override {
-    return dual_greedy(component_, feasible_multipliers(component_, point));
+    return dual_greedy(component_, feasible_multipliers(component_, point, deadline_), deadline_);
   }
 
  private:
   const Component& component_;
+  const Deadline deadline_;
 };
 
 class LocalSearchRecovery : public Recovery {
@@ -62,7 +66,7 @@ class LocalSearchRecovery : public Recovery {
   const char* name() const override { return "local search"; }
   Packing recover(const DualFunction& point) override {
     const Packing start = first_->recover(point);
-    const std::vector<double> u = feasible_multipliers(component_, point);
+    const std::vector<double> u = feasible_multipliers(component_, point, deadline_);
     CoreSearchOptions options;
     options.kicks_per_index = 0;
     double lower = 0;
@@ -85,8 +89,9 @@ std::unique_ptr<Recovery> make_recursive_recovery(const Component& component,
   return std::make_unique<RecursiveRecovery>(component, options, deadline);
 }
 
-std::unique_ptr<Recovery> make_dual_greedy_recovery(const Component& component) {
-  return std::make_unique<DualGreedyRecovery>(component);
+std::unique_ptr<Recovery> make_dual_greedy_recovery(const Component& component,
+                                                    const Deadline& deadline) {
+  return std::make_unique<DualGreedyRecovery>(component, deadline);
 }
 
 std::unique_ptr<Recovery> make_local_search_recovery(const Component& component,
@@ -101,7 +106,7 @@ std::unique_ptr<Recovery> make_recovery(RecoveryMethod method,
                                         const Deadline& deadline) {
   switch (method) {
     case RecoveryMethod::kDualGreedy:
-      return make_dual_greedy_recovery(component);
+      return make_dual_greedy_recovery(component, deadline);
     case RecoveryMethod::kLocalSearch:
       return make_local_search_recovery(
           component, make_recursive_recovery(component, options, deadline), deadline);

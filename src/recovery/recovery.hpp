@@ -27,7 +27,8 @@ std::unique_ptr<Recovery> make_recursive_recovery(const core::Component& compone
                                                   const core::Deadline& deadline);
 
 /// Greedy by reduced cost at the multipliers of the point (recovery/greedy.hpp).
-std::unique_ptr<Recovery> make_dual_greedy_recovery(const core::Component& component);
+std::unique_ptr<Recovery> make_dual_greedy_recovery(const core::Component& component,
+                                                    const core::Deadline& deadline);
 
 /// What `first` recovers, improved by descent among the arcs promising at the multipliers of the
 /// point (recovery/core_search.hpp).

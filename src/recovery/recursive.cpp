@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/slices.hpp"
 #include "decompose/components.hpp"
 #include "recovery/packing_state.hpp"
 #include "relax/lagrangian.hpp"
@@ -33,7 +34,8 @@ bool ends_here(const Component& component, ArcId a) {
 
 class Builder {
  public:
-  explicit Builder(const Component& component) : component_(component) {}
+  Builder(const Component& component, const Deadline& deadline)
+      : component_(component), deadline_(deadline) {}
 
   RecoveryProblem build(const DualFunction& point) {
     const relax::Cells& cells = point.cells();
@@ -45,8 +47,9 @@ class Builder {
     result_.default_arc.assign(rows.size() + 1, kNoArc);
     const bool has_free_cell = cells.num_cells() > 0 && cells.row[0] == 0 && cells.column[0] == 0;
     if (has_free_cell) add_row(cells, 0, 0);
-    for (std::size_t j = 0; j < rows.size(); ++j)
+    core::for_each_until(deadline_, rows.size(), [&](std::size_t j) {
       add_row(cells, rows[j], static_cast<Index>(j + 1));
+    });
     return std::move(result_);
   }
 
@@ -71,6 +74,7 @@ class Builder {
   }
 
   const Component& component_;
+  const Deadline& deadline_;
   RecoveryProblem result_;
 };
 
@@ -85,6 +89,7 @@ Packing solve_part(const Component& part,
   loop.assign2d = options.assign2d;
   loop.max_evaluations = part.num_dimensions() == 2 ? 1 : options.recovery_evaluations;
   loop.recovery_interval = part.num_dimensions() <= 3 ? 1 : 0;
+  loop.certify = false;
   loop.deadline = deadline;
   return relax::maximize_dual(part,
                               {},
@@ -105,8 +110,10 @@ Packing take_chosen(const Component& component, const DualFunction& point) {
 
 }  // namespace
 
-RecoveryProblem make_recovery_problem(const Component& component, const DualFunction& point) {
-  return Builder(component).build(point);
+RecoveryProblem make_recovery_problem(const Component& component,
+                                      const DualFunction& point,
+                                      const Deadline& deadline) {
+  return Builder(component, deadline).build(point);
 }
 
 Packing recover_recursively(const Component& component,
@@ -114,7 +121,7 @@ Packing recover_recursively(const Component& component,
                             const RelaxationOptions& options,
                             const Deadline& deadline) {
   if (component.num_dimensions() == 2) return take_chosen(component, point);
-  const RecoveryProblem problem = make_recovery_problem(component, point);
+  const RecoveryProblem problem = make_recovery_problem(component, point, deadline);
   std::vector<bool> covered(problem.default_arc.size(), false);
   Packing packing;
   const auto take = [&](ArcId a) {
@@ -122,8 +129,8 @@ Packing recover_recursively(const Component& component,
     packing.cost += component.costs[a];
   };
   core::Cutter cutter;
-  const decompose::Partition parts = decompose::partition(problem.component);
-  for (std::size_t c = 0; c < parts.num_components(); ++c) {
+  const decompose::Partition parts = decompose::partition(problem.component, deadline);
+  for (std::size_t c = 0; c < parts.num_components() && !deadline.reached(); ++c) {
     // Cut without the origins of the recovery problem, so that arcs of the part point into it.
     Component part = cutter.cut(problem.component, parts.component(c));
     std::copy(parts.component(c).begin(), parts.component(c).end(), part.arc_origin.begin());

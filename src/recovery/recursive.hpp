@@ -19,12 +19,15 @@ struct RecoveryProblem {
   std::vector<core::ArcId> default_arc;  ///< [j]: arc used when row j stays uncovered, or kNoArc
 };
 
+/// Where the deadline strikes, later rows are without arcs.
 RecoveryProblem make_recovery_problem(const core::Component& component,
-                                      const relax::DualFunction& point);
+                                      const relax::DualFunction& point,
+                                      const core::Deadline& deadline = {});
 
 /// Recursive recovery: the recovery problem is solved by relaxation to two dimensions and recovery
 /// again, down to two dimensions, where it is exact; at three, a packing is recovered at every
-/// nonsmooth step (report, section 5).  Components of the recovery problem are solved one by one.
+/// nonsmooth step (report, section 5).  Components of the recovery problem are solved one by one;
+/// those that the deadline leaves over stay uncovered.
 ///
 /// @return  a packing in arcs of `component`, feasible always (3.9); never costs more than 0.
 /// Source: report, section 3.2, sparse modifications included.

@@ -1,8 +1,9 @@
 #include "relax/dual_function.hpp"
 
 #include <algorithm>
+#include <numeric>
 
-#include "core/clock.hpp"
+#include "core/slices.hpp"
 
 // Report, sections 3.1 and 4.1, for m = 2, with three liberties.
 //   - The problem is shifted, so that every index may stay uncovered at cost 0.  Rows and columns
@@ -29,6 +30,8 @@ constexpr std::uint32_t kNoCell = ~std::uint32_t{0};
 // The two-dimensional problem: its structure is that of the cells and stays fixed, its costs
 // change.
 struct DualFunction::Assignment {
+  const core::Deadline deadline;
+  const std::function<bool()> stop = [this] { return deadline.reached(); };
   std::unique_ptr<Assign2dSolver> solver;
   Assign2dResult result;
   std::vector<std::uint32_t> row_start;
@@ -41,8 +44,12 @@ struct DualFunction::Assignment {
   std::vector<std::uint32_t> column_cell;  // [column]: cell (0, i2) or kNoCell
   std::uint32_t free_cell = kNoCell;       // cell (0, 0)
 
-  Assignment(const Component& component, const Cells& cells, Assign2dMethod method)
-      : solver(make_assign2d_solver(method)),
+  Assignment(const Component& component,
+             const Cells& cells,
+             Assign2dMethod method,
+             const core::Deadline& solve_until)
+      : deadline(solve_until),
+        solver(make_assign2d_solver(method)),
         row_outside(component.sizes[0], 0.0),
         column_outside(component.sizes[1], 0.0),
         row_cell(component.sizes[0], kNoCell),
@@ -65,9 +72,11 @@ struct DualFunction::Assignment {
     }
     for (std::size_t i = 1; i < row_start.size(); ++i) row_start[i] += row_start[i - 1];
     cost.resize(column.size());
+    solver->set_stop(&stop);
   }
 
-  void solve(std::span<const double> d) {
+  // False if it was interrupted.
+  bool solve(std::span<const double> d) {
     for (std::size_t pair = 0; pair < cost.size(); ++pair) cost[pair] = d[pair_cell[pair]];
     for (std::size_t i = 0; i < row_cell.size(); ++i) {
       if (row_cell[i] != kNoCell) row_outside[i] = std::min(0.0, d[row_cell[i]]);
@@ -75,7 +84,14 @@ struct DualFunction::Assignment {
     for (std::size_t j = 0; j < column_cell.size(); ++j) {
       if (column_cell[j] != kNoCell) column_outside[j] = std::min(0.0, d[column_cell[j]]);
     }
-    solver->solve_warm({row_start, column, cost, row_outside, column_outside}, result);
+    try {
+      solver->solve_warm({row_start, column, cost, row_outside, column_outside}, result);
+    } catch (const Assign2dInterrupted&) {
+      result.cost = std::accumulate(result.u.begin(), result.u.end(), 0.0);
+      result.cost = std::accumulate(result.v.begin(), result.v.end(), result.cost);
+      return false;
+    }
+    return true;
   }
 
   // The cell of the chosen pair (row, column_of_row).
@@ -88,14 +104,16 @@ struct DualFunction::Assignment {
   }
 };
 
-DualFunction::DualFunction(const Component& component, Assign2dMethod method)
+DualFunction::DualFunction(const Component& component,
+                           Assign2dMethod method,
+                           const core::Deadline& deadline)
     : component_(component),
       cells_(find_cells(component)),
       num_slots_(component.num_slots()),
       slot_u_(num_slots_, 0.0),
       d_(cells_.num_cells()),
       cell_arc_(cells_.num_cells()),
-      assignment_(std::make_unique<Assignment>(component, cells_, method)) {
+      assignment_(std::make_unique<Assignment>(component, cells_, method, deadline)) {
   first_slot_ =
       component.num_dimensions() > 2 ? component.offset[2] : static_cast<std::uint32_t>(num_slots_);
 }
@@ -107,7 +125,7 @@ double DualFunction::evaluate(std::span<const double> u, std::span<double> subgr
   const core::Stopwatch watch;
   collapse(component_, cells_, slot_u_, d_, cell_arc_);
   collapse_seconds_ += watch.seconds();
-  assignment_->solve(d_);
+  interrupted_ = !assignment_->solve(d_);
 
   double value = assignment_->result.cost;
   for (const double multiplier : u) value += std::min(0.0, multiplier);
@@ -183,16 +201,20 @@ void DualFunction::multipliers(std::span<double> all) const {
 
 // Reduced costs are computed again for every dimension rather than kept: that costs no more time
 // than reading and writing them, and no memory.
-double make_feasible(const Component& component, std::span<double> u) {
+double make_feasible(const Component& component,
+                     std::span<double> u,
+                     const core::Deadline& deadline) {
   std::vector<double> least;
   for (std::size_t k = component.sizes.size(); k-- > 0;) {
     const core::Column& index = component.indices[k];
     const std::span<double> block = u.subspan(component.offset[k], component.sizes[k] + 1);
     least.assign(block.size(), kInfinity);
-    for (ArcId a = 0; a < component.num_arcs(); ++a) {
-      if (index[a] == 0) continue;
+    const auto note = [&](std::size_t arc) {
+      const ArcId a = static_cast<ArcId>(arc);
+      if (index[a] == 0) return;
       least[index[a]] = std::min(least[index[a]], core::reduced_cost(component, u, a));
-    }
+    };
+    if (!core::for_each_until(deadline, component.num_arcs(), note)) return -kInfinity;
     for (std::size_t i = 1; i < block.size(); ++i) block[i] = std::min(0.0, block[i] + least[i]);
   }
   double sum = 0;

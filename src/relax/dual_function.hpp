@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/clock.hpp"
 #include "core/component.hpp"
 #include "dual/concave_function.hpp"
 #include "nda/assign2d.hpp"
@@ -33,7 +34,8 @@ class DualFunction : public dual::ConcaveFunction {
  public:
   /// Keeps a reference to the component.
   explicit DualFunction(const core::Component& component,
-                        Assign2dMethod method = Assign2dMethod::kShortestPath);
+                        Assign2dMethod method = Assign2dMethod::kShortestPath,
+                        const core::Deadline& deadline = {});
   ~DualFunction() override;
 
   std::size_t num_variables() const override { return num_slots_ - first_slot_; }
@@ -41,6 +43,11 @@ class DualFunction : public dual::ConcaveFunction {
   /// Cost: O(A N) + one two-dimensional assignment, warm-started; no allocation after the first
   /// call.
   double evaluate(std::span<const double> u, std::span<double> subgradient) override;
+
+  /// The deadline broke the last evaluation off.  Value and subgradient are then of no use; the
+  /// chosen arcs still use dimensions 0 and 1 at most once, and the multipliers are still
+  /// multipliers.
+  bool interrupted() const { return interrupted_; }
 
   /// First relaxed slot: variable j stands for slot first_slot() + j.
   std::uint32_t first_slot() const { return first_slot_; }
@@ -81,13 +88,17 @@ class DualFunction : public dual::ConcaveFunction {
   std::vector<std::uint32_t> aligned_cells_;
   std::unique_ptr<Assignment> assignment_;
   double collapse_seconds_ = 0;
+  bool interrupted_ = false;
 };
 
 /// Makes multipliers dual feasible without lowering their bound: afterwards u <= 0, the dummies'
 /// are 0, every reduced cost c'[a] - sum u is >= 0 (up to rounding), and sum u is a lower bound.
 /// One pass of coordinate ascent over the dimensions, the last first: u_i takes up the least
 /// reduced cost of its arcs, which repairs negative ones (cell (0, 0), a well-known trap) and uses
-/// slack. Returns sum u.  Cost: O(A N), 8 bytes an arc.
-double make_feasible(const core::Component& component, std::span<double> u);
+/// slack. Returns sum u, or -inf where the deadline strikes: u is then better than it was, but not
+/// feasible.  Cost: O(A N^2).
+double make_feasible(const core::Component& component,
+                     std::span<double> u,
+                     const core::Deadline& deadline = {});
 
 }  // namespace nda::relax

@@ -23,7 +23,8 @@ class Loop {
   Loop(const Component& component, const LagrangianOptions& options, const Recover& recover)
       : options_(options),
         recover_(recover),
-        function_(component, options.assign2d),
+        deadline_(options.deadline.earlier(options.certify_s)),
+        function_(component, options.assign2d, deadline_),
         best_multipliers_(component.num_slots(), 0.0) {}
 
   DualFunction& function() { return function_; }
@@ -32,6 +33,7 @@ class Loop {
 
   // Returns false to stop.
   bool observe(const dual::Iterate& iterate) {
+    const double step_s = step_.seconds();
     ++result_.evaluations;
     if (iterate.value > best_value_) {
       best_value_ = iterate.value;
@@ -42,11 +44,13 @@ class Loop {
         (result_.evaluations - 1) % options_.recovery_interval == 0) {
       recover();
     }
-    return best_value_ < goal() && !options_.deadline.reached();
+    step_ = {};
+    return best_value_ < goal() && !deadline_.reached() && deadline_.remaining_s() > step_s;
   }
 
   void recover_at_best() {
     if (options_.recovery_interval > 0 || !recover_ || best_point_.empty()) return;
+    if (deadline_.reached()) return;
     std::vector<double> subgradient(best_point_.size());
     function_.evaluate(best_point_, subgradient);
     recover();
@@ -66,6 +70,8 @@ class Loop {
 
   const LagrangianOptions& options_;
   const Recover& recover_;
+  const core::Deadline deadline_;
+  core::Stopwatch step_;  // since the last observation
   DualFunction function_;
   std::vector<double> best_multipliers_;
   std::vector<double> best_point_;
@@ -79,6 +85,7 @@ LagrangianResult maximize_by_coordinates(const Component& component,
                                          std::span<const double> warm,
                                          const LagrangianOptions& options,
                                          const Recover& recover) {
+  const core::Deadline deadline = options.deadline.earlier(options.certify_s);
   SeparableDual function(component);
   std::vector<double> start(warm.begin(), warm.end());
   start.resize(component.num_slots(), 0.0);
@@ -87,13 +94,13 @@ LagrangianResult maximize_by_coordinates(const Component& component,
   limits.relative_tolerance = options.relative_tolerance;
   limits.target = options.goal;
   dual::MaximizeResult found = dual::maximize_coordinate(
-      function, start, limits, [&](const dual::Iterate&) { return !options.deadline.reached(); });
+      function, start, limits, [&](const dual::Iterate&) { return !deadline.reached(); });
   LagrangianResult result;
   result.evaluations = found.evaluations;
   result.u = std::move(found.point);
-  result.lower = make_feasible(component, result.u);
-  if (recover) {
-    DualFunction kept(component, options.assign2d);
+  if (options.certify) result.lower = make_feasible(component, result.u, options.deadline);
+  if (recover && !deadline.reached()) {
+    DualFunction kept(component, options.assign2d, deadline);
     std::vector<double> subgradient(kept.num_variables());
     kept.evaluate(std::span(result.u).subspan(kept.first_slot()), subgradient);
     result.best = recover(kept);
@@ -109,6 +116,7 @@ LagrangianResult maximize_dual(const Component& component,
                                std::span<const double> warm,
                                const LagrangianOptions& options,
                                const Recover& recover) {
+  if (options.deadline.earlier(options.certify_s).reached()) return {};
   const bool two_dimensional = component.num_dimensions() == 2;  // nothing is relaxed
   if (options.dual_method == DualMethod::kCoordinate && !two_dimensional) {
     return maximize_by_coordinates(component, warm, options, recover);
@@ -137,7 +145,7 @@ LagrangianResult maximize_dual(const Component& component,
 
   LagrangianResult result = std::move(loop.result());
   result.u = loop.best_multipliers();
-  result.lower = make_feasible(component, result.u);
+  if (options.certify) result.lower = make_feasible(component, result.u, options.deadline);
   return result;
 }
 

@@ -23,12 +23,14 @@ struct LagrangianOptions {
   int recovery_interval =
       1;  ///< recover at evaluations 1, 1 + interval, ...; 0 = only at the best point, at the end
   double goal = kInfinity;  ///< stop once the bound reaches it: nothing cheaper is wanted
+  bool certify = true;      ///< make the multipliers feasible at the end: without it lower is -inf
   core::Deadline deadline;
+  double certify_s = 0;  ///< what is kept of the time until the deadline for that end
 };
 
 struct LagrangianResult {
   std::vector<double> u;      ///< multipliers of all slots: u <= 0, all reduced costs >= 0
-  double lower = -kInfinity;  ///< sum u, a lower bound on every packing
+  double lower = -kInfinity;  ///< sum u, a lower bound on every packing; -inf if there was no time
   core::Packing best;         ///< best recovered packing; empty (cost 0) if none is better
   int evaluations = 0;
   int recoveries = 0;
@@ -36,7 +38,9 @@ struct LagrangianResult {
 
 /// The Lagrangian loop: maximises the dual function of a component from the multipliers `warm` (by
 /// slot; empty = 0), recovering packings on the way.  Source: report, section 3.3, steps A to D for
-/// m = 2. Cost: evaluations * (O(A N) + one 2-D assignment).
+/// m = 2.  No evaluation is begun that would end beyond the deadline, by the time of the last; but
+/// one is, whatever it takes, unless no time is left at all.  Cost: evaluations * (O(A N) + one 2-D
+/// assignment).
 LagrangianResult maximize_dual(const core::Component& component,
                                std::span<const double> warm,
                                const LagrangianOptions& options,

@@ -34,15 +34,8 @@ constexpr std::size_t kMostCuttingArcs = 2000000;
 // A rounded point is worth descending from when it misses the best by at most this share of the
 // gap.
 constexpr double kPromising = 0.25;
-
-relax::LagrangianOptions loop_options(const Options& options, const core::Deadline& deadline) {
-  relax::LagrangianOptions loop;
-  loop.dual_method = options.relaxation.dual_method;
-  loop.assign2d = options.relaxation.assign2d;
-  loop.relative_tolerance = options.relaxation.relative_tolerance;
-  loop.deadline = deadline;
-  return loop;
-}
+// Time kept for the last certificate, as a multiple of what the first took.
+constexpr double kCertifyReserve = 1.3;
 
 // Fixing and splitting as branch and bound wants them.
 bnb::Reduction reduce(const Component& component, const bnb::NodeBound& bound, double cutoff) {
@@ -54,10 +47,10 @@ bnb::Reduction reduce(const Component& component, const bnb::NodeBound& bound, d
   }
   core::Cutter cutter;
   const Component live = cutter.cut(component, fixing.live);
+  const std::vector<double> live_u = core::restrict_slots(component, bound.u, live);
   const decompose::Partition parts = decompose::partition(live);
   for (std::size_t c = 0; c < parts.num_components(); ++c) {
     reduction.parts.push_back(cutter.cut(live, parts.component(c)));
-    const std::vector<double> live_u = core::restrict_slots(component, bound.u, live);
     reduction.u.push_back(core::restrict_slots(live, live_u, reduction.parts.back()));
   }
   return reduction;
@@ -89,8 +82,21 @@ ComponentSolver::ComponentSolver(const Component& component,
       seed_(seed) {
   state_.live_arcs = component.num_arcs();
   state_.u.assign(component.num_slots(), 0.0);
-  state_.certificate = state_.lower = relax::make_feasible(component, state_.u);
-  monitor_.add_component(state_.lower);
+  const core::Stopwatch watch;
+  state_.certificate = state_.lower = relax::make_feasible(component, state_.u, deadline);
+  certify_s_ = kCertifyReserve * watch.seconds();
+  if (bounded()) monitor_.add_component(state_.lower);
+}
+
+relax::LagrangianOptions ComponentSolver::loop_options(const Component& component) const {
+  relax::LagrangianOptions loop;
+  loop.dual_method = options_.relaxation.dual_method;
+  loop.assign2d = options_.relaxation.assign2d;
+  loop.relative_tolerance = options_.relaxation.relative_tolerance;
+  loop.deadline = deadline_;
+  loop.certify_s = certify_s_ * static_cast<double>(component.num_arcs()) /
+                   static_cast<double>(component_.num_arcs());
+  return loop;
 }
 
 void ComponentSolver::start() {
@@ -100,9 +106,9 @@ void ComponentSolver::start() {
       component_.num_arcs() <= options_.branch.exact_arcs || options_.method == Method::kExact;
   if (small && options_.branch.max_nodes > 0) enumerate();
   if (state_.complete) return;
-  offer(
-      recovery::greedy_in_core(component_, state_.u, recovery::CoreSearchOptions{}.arcs_per_index),
-      "greedy");
+  offer(recovery::greedy_in_core(
+            component_, state_.u, recovery::CoreSearchOptions{}.arcs_per_index, deadline_),
+        "greedy");
   relax();
   search(1);
 }
@@ -162,7 +168,7 @@ Packing ComponentSolver::round(const Component& core, const cutting::Master& poi
 // Two dimensions: the relaxed problem is the problem.
 void ComponentSolver::solve_assignment() {
   state_.method = "assignment";
-  relax::LagrangianOptions loop = loop_options(options_, deadline_);
+  relax::LagrangianOptions loop = loop_options(component_);
   loop.max_evaluations = 1;
   relax::LagrangianResult result =
       relax::maximize_dual(component_, {}, loop, [&](const relax::DualFunction& point) {
@@ -175,7 +181,9 @@ void ComponentSolver::solve_assignment() {
 void ComponentSolver::enumerate() {
   state_.method = "enumeration";
   std::vector<double> u = state_.u;
-  for (int sweep = 1; sweep < kFeasibleSweeps; ++sweep) relax::make_feasible(component_, u);
+  for (int sweep = 1; sweep < kFeasibleSweeps; ++sweep) {
+    if (relax::make_feasible(component_, u, deadline_) == -kInfinity) return;
+  }
   const std::int64_t max_nodes = std::min(kEnumerationNodes, options_.branch.max_nodes);
   const bnb::SearchResult result =
       bnb::enumerate(component_, u, precision_.margin, max_nodes, deadline_);
@@ -183,7 +191,7 @@ void ComponentSolver::enumerate() {
   if (result.found) offer(result.best, "enumeration");
   if (!result.complete) return;
   // The multipliers should prove as much as they can by themselves.
-  relax::LagrangianOptions loop = loop_options(options_, deadline_);
+  relax::LagrangianOptions loop = loop_options(component_);
   loop.max_evaluations = options_.branch.node_evaluations;
   loop.goal = state_.best.cost - precision_.error;
   relax::LagrangianResult dual = relax::maximize_dual(component_, u, loop, {});
@@ -193,12 +201,14 @@ void ComponentSolver::enumerate() {
 
 void ComponentSolver::relax() {
   state_.method = "relaxation";
-  relax::LagrangianOptions loop = loop_options(options_, deadline_);
+  relax::LagrangianOptions loop = loop_options(component_);
   loop.max_evaluations = options_.relaxation.max_evaluations;
   loop.recovery_interval = options_.relaxation.recovery_interval;
   loop.goal = cutoff();
-  const auto recovery = recovery::make_recovery(
-      options_.relaxation.recovery, component_, options_.relaxation, deadline_);
+  const auto recovery = recovery::make_recovery(options_.relaxation.recovery,
+                                                component_,
+                                                options_.relaxation,
+                                                deadline_.earlier(loop.certify_s));
   const auto recover = [&](const relax::DualFunction& point) {
     Packing packing = recovery->recover(point);
     offer(packing, recovery->name());
@@ -236,7 +246,7 @@ void ComponentSolver::branch(double allowed_gap) {
   state_.method = "branch and bound";
   bnb::Collaborators collaborators;
   collaborators.bound = [&](const Component& node, std::span<const double> warm, double cutoff) {
-    relax::LagrangianOptions loop = loop_options(options_, deadline_);
+    relax::LagrangianOptions loop = loop_options(node);
     loop.max_evaluations = options_.branch.node_evaluations;
     loop.recovery_interval = 0;
     loop.goal = cutoff;

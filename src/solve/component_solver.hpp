@@ -54,6 +54,10 @@ class ComponentSolver {
                   const core::Deadline& deadline,
                   Monitor& monitor);
 
+  /// A bound was found before the deadline.  Without one, state().u are multipliers that prove
+  /// little, and neither stage must be begun.
+  bool bounded() const { return state_.certificate > -kInfinity; }
+
   /// First stage: exact where that is quick, else relaxation with recovery and local search.
   void start();
 
@@ -65,6 +69,7 @@ class ComponentSolver {
   const Precision& precision() const { return precision_; }
 
  private:
+  relax::LagrangianOptions loop_options(const core::Component& component) const;
   void solve_assignment();
   void enumerate();
   void relax();
@@ -84,6 +89,7 @@ class ComponentSolver {
   Monitor& monitor_;
   const Precision precision_;
   const std::uint64_t seed_;
+  double certify_s_ = 0;  // what making multipliers feasible took
   ComponentState state_;
 };
 

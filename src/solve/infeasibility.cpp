@@ -12,17 +12,11 @@ std::string name(const RealIndex& index) {
          std::to_string(index.dimension + 1);
 }
 
-bool has_arc(const Problem& problem, const RealIndex& index) {
-  const auto column = problem.indices(index.dimension);
-  return std::find(column.begin(), column.end(), index.index) != column.end();
-}
-
 }  // namespace
 
 std::string infeasibility_reason(const Problem& problem, const std::vector<RealIndex>& uncovered) {
-  for (const RealIndex& index : uncovered) {
-    if (!has_arc(problem, index)) return name(index) + " has no arc and its singleton is forbidden";
-  }
+  const std::vector<RealIndex> lonely = indices_without_arcs(problem);
+  if (!lonely.empty()) return name(lonely[0]) + " has no arc and its singleton is forbidden";
   std::string text = "not all indices with forbidden singletons can be covered at once: at least " +
                      std::to_string(uncovered.size()) +
                      (uncovered.size() == 1 ? " stays" : " stay") + " uncovered, for instance ";
@@ -38,10 +32,12 @@ std::string infeasibility_reason(const Problem& problem, const std::vector<RealI
 std::vector<RealIndex> indices_without_arcs(const Problem& problem) {
   std::vector<RealIndex> lonely;
   for (int k = 0; k < problem.num_dimensions(); ++k) {
+    const auto costs = problem.singleton_costs(k);
+    if (std::find(costs.begin(), costs.end(), kInfinity) == costs.end()) continue;
     std::vector<bool> used(problem.size(k) + std::size_t{1}, false);
     for (const Index i : problem.indices(k)) used[i] = true;
     for (Index i = 1; i <= problem.size(k); ++i) {
-      if (!used[i] && problem.singleton_costs(k)[i] == kInfinity) lonely.push_back({k, i});
+      if (!used[i] && costs[i] == kInfinity) lonely.push_back({k, i});
     }
   }
   return lonely;

@@ -2,14 +2,13 @@
 
 namespace nda::pipeline {
 
-Monitor::Monitor(const std::function<bool(const Progress&)>& callback,
-                 double constant,
-                 std::size_t num_components,
-                 std::stop_source stop)
-    : callback_(callback),
-      stop_(std::move(stop)),
-      num_unbounded_(num_components),
-      bound_sum_(constant) {
+Monitor::Monitor(const std::function<bool(const Progress&)>& callback, std::stop_source stop)
+    : callback_(callback), stop_(std::move(stop)) {}
+
+void Monitor::begin(double constant, std::size_t num_components) {
+  const std::lock_guard lock(mutex_);
+  num_unbounded_ = num_components;
+  bound_sum_ = constant;
   progress_.cost = constant;
   progress_.num_components = num_components;
 }
@@ -33,9 +32,16 @@ void Monitor::component_done() {
   ++progress_.components_done;
 }
 
+void Monitor::heartbeat() {
+  if (!callback_ || watch_.seconds() < told_s_ + kHeartbeatSeconds) return;
+  const std::lock_guard lock(mutex_);
+  if (watch_.seconds() >= told_s_ + kHeartbeatSeconds) tell("working");
+}
+
 void Monitor::tell(const char* event) {
   if (!callback_) return;
   progress_.seconds = watch_.seconds();
+  told_s_ = progress_.seconds;
   progress_.event = event;
   if (!callback_(progress_)) stop_.request_stop();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <mutex>
 #include <stop_token>
@@ -12,18 +13,21 @@ namespace nda::pipeline {
 /// Adds up what the components report and tells the user; safe to call from several threads.
 class Monitor {
  public:
-  /// @param constant  cost of choosing nothing: components report shifted costs.
-  /// @param stop      asked to stop when the user's callback returns false.
-  Monitor(const std::function<bool(const Progress&)>& callback,
-          double constant,
-          std::size_t num_components,
-          std::stop_source stop);
+  /// @param stop  asked to stop when the user's callback returns false.
+  Monitor(const std::function<bool(const Progress&)>& callback, std::stop_source stop);
 
+  /// The components are known; `constant`: cost of choosing nothing, they report shifted costs.
+  void begin(double constant, std::size_t num_components);
   /// A component has its first bound.  The sum is a bound once all have one; -inf until then.
   void add_component(double lower_bound);
   /// A component's best cost and bound moved by so much.
   void moved(double cost_change, double bound_change, const char* event);
   void component_done();
+
+  /// Tells the user that work goes on if nothing was told for kHeartbeatSeconds; cheap otherwise.
+  void heartbeat();
+
+  static constexpr double kHeartbeatSeconds = 1;
 
  private:
   void tell(const char* event);
@@ -31,9 +35,10 @@ class Monitor {
   const std::function<bool(const Progress&)>& callback_;
   std::stop_source stop_;
   core::Stopwatch watch_;
+  std::atomic<double> told_s_ = 0;
   std::mutex mutex_;
-  std::size_t num_unbounded_;
-  double bound_sum_;
+  std::size_t num_unbounded_ = 0;
+  double bound_sum_ = 0;
   Progress progress_;
 };
 

@@ -1,5 +1,6 @@
 #include "nda/solve.hpp"
 
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -34,8 +35,11 @@ using pipeline::ComponentSolver;
 using pipeline::ComponentState;
 using pipeline::Monitor;
 
-// What merging takes per arc: the certificate, in double-double.
-constexpr double kMergeSecondsPerArc = 1e-8;
+// What merging takes, for the most part the certificate: per dimension of an arc, and per index.
+constexpr double kMergeSecondsPerEntry = 3e-9;
+constexpr double kMergeSecondsPerIndex = 2e-8;
+// What it takes to pass over a component once more, merge it and free it.
+constexpr double kMergeSecondsPerPart = 2e-6;
 
 constexpr double kWholeShare = 0.9;
 
@@ -88,22 +92,14 @@ class Pipeline {
       : problem_(problem),
         options_(options),
         forward_stop_(options.stop, StopForwarder{stop_}),
-        deadline_(work_limit(), stop_.get_token()) {}
+        monitor_(options.progress, stop_),
+        deadline_(work_limit(), stop_.get_token(), &heartbeat_) {}
 
   Solution run() {
-    shift_ = core::make_shift(problem_);
-    grid_ = core::find_grid(problem_);
-    partition_ = decompose::partition(problem_, shift_);
-    parts_.resize(partition_.num_components());
-    Monitor monitor(options_.progress, shift_.constant, parts_.size(), stop_);
-    for_all_parts([&](std::size_t p) { start(p, monitor); });
-    const double gap = allowed_gap();
-    const double open = total(&best_cost) - total(&lower_bound);
-    for_all_parts([&](std::size_t p) {
-      const ComponentState& state = parts_[p].solver->state();
-      const double share = open > 0 ? (state.best.cost - state.lower) / open : 0.0;
-      parts_[p].solver->finish(share > 0 ? gap * share : 0.0);
-    });
+    const double largest = largest_cost(problem_);
+    if (largest > kLargestCost) return overflow(problem_, largest);
+    prepare();
+    if (is_bounded_) work();
     return merge();
   }
 
@@ -114,7 +110,37 @@ class Pipeline {
   };
 
   double work_limit() const {
-    return options_.time_limit_s - kMergeSecondsPerArc * static_cast<double>(problem_.num_arcs());
+    const double entries =
+        static_cast<double>(problem_.num_arcs()) * static_cast<double>(problem_.num_dimensions());
+    return options_.time_limit_s - kMergeSecondsPerEntry * entries -
+           kMergeSecondsPerIndex * static_cast<double>(problem_.num_indices());
+  }
+
+  // Shifts, splits, and finds a first bound for every component, as far as the deadline lets it.
+  void prepare() {
+    shift_ = core::make_shift(problem_, deadline_);
+    grid_ = core::find_grid(problem_, deadline_);
+    partition_ = decompose::partition(problem_, shift_, deadline_);
+    if (deadline_.reached()) return;
+    parts_.resize(partition_.num_components());
+    deadline_ = deadline_.earlier(kMergeSecondsPerPart * static_cast<double>(parts_.size()));
+    monitor_.begin(shift_.constant, parts_.size());
+    tbb::enumerable_thread_specific<core::Cutter> cutters;
+    for_all_parts([&](std::size_t p) { prepare_part(p, cutters.local()); });
+    is_bounded_ = std::all_of(parts_.begin(), parts_.end(), [](const Part& part) {
+      return part.solver != nullptr && part.solver->bounded();
+    });
+  }
+
+  void work() {
+    for_all_parts([&](std::size_t p) { parts_[p].solver->start(); });
+    const double gap = allowed_gap();
+    const double open = total(&best_cost) - total(&lower_bound);
+    for_all_parts([&](std::size_t p) {
+      const ComponentState& state = parts_[p].solver->state();
+      const double share = open > 0 ? (state.best.cost - state.lower) / open : 0.0;
+      parts_[p].solver->finish(share > 0 ? gap * share : 0.0);
+    });
   }
 
   template <typename Work>
@@ -131,18 +157,18 @@ class Pipeline {
     });
   }
 
-  void start(std::size_t p, Monitor& monitor) {
+  void prepare_part(std::size_t p, core::Cutter& cutter) {
+    if (deadline_.reached()) return;
     Part& part = parts_[p];
     if (mostly_whole()) {
       partition_ = {};
-      part.component = core::whole_problem(problem_, shift_);
+      part.component = core::whole_problem(problem_, shift_, deadline_);
     } else {
-      core::Cutter cutter;
-      part.component = cutter.cut(problem_, shift_, partition_.component(p));
+      part.component = cutter.cut(problem_, shift_, partition_.component(p), deadline_);
     }
+    if (part.component.num_arcs() == 0) return;
     part.solver = std::make_unique<ComponentSolver>(
-        part.component, options_, grid_, options_.seed + 1000003 * p, deadline_, monitor);
-    part.solver->start();
+        part.component, options_, grid_, options_.seed + 1000003 * p, deadline_, monitor_);
   }
 
   // One component with nearly all arcs: then a copy would only cost memory.
@@ -185,7 +211,9 @@ class Pipeline {
     solution.num_arcs = problem_.num_arcs();
     solution.num_components = parts_.size();
     merge_arcs(solution);
-    for (const Part& part : parts_) report(part, solution);
+    for (const Part& part : parts_) {
+      if (part.solver != nullptr) report(part, solution);
+    }
     merge_multipliers(solution);
     merge_bounds(solution);
     set_status(solution);
@@ -228,6 +256,7 @@ class Pipeline {
   void merge_arcs(Solution& solution) {
     std::vector<ArcId> arcs;
     for (const Part& part : parts_) {
+      if (part.solver == nullptr) continue;
       for (const ArcId a : part.solver->state().best.arcs) {
         arcs.push_back(core::original_arc(part.component, a));
       }
@@ -265,7 +294,10 @@ class Pipeline {
       const std::vector<double>& base = shift_.base[static_cast<std::size_t>(k)];
       solution.multipliers.emplace_back(base.begin() + 1, base.end());
     }
+    if (!is_bounded_) drop_penalties(solution);
     for (const Part& part : parts_) {
+      // With the penalties dropped, multipliers that were found for them fit no longer.
+      if (part.solver == nullptr || (!is_bounded_ && shift_.penalty > 0)) continue;
       const std::vector<double>& u = part.solver->state().u;
       for (std::size_t k = 0; k < part.component.sizes.size(); ++k) {
         for (Index i = 1; i <= part.component.sizes[k]; ++i) {
@@ -277,8 +309,28 @@ class Pipeline {
     }
   }
 
+  // Without multipliers to go with it the penalty of a forbidden singleton proves next to nothing.
+  void drop_penalties(Solution& solution) const {
+    for (int k = 0; k < problem_.num_dimensions(); ++k) {
+      const auto costs = problem_.singleton_costs(k);
+      for (Index i = 1; i < costs.size(); ++i) {
+        if (costs[i] == kInfinity) solution.multipliers[static_cast<std::size_t>(k)][i - 1] = 0;
+      }
+    }
+  }
+
   void merge_bounds(Solution& solution) const {
     solution.stats.certificate_bound = certificate_bound(problem_, solution.multipliers);
+    solution.lower_bound = solution.stats.certificate_bound;
+    if (is_bounded_)
+      solution.lower_bound = std::max(solution.lower_bound, bound_of_parts(solution));
+    if (!solution.solutions.empty())
+      solution.lower_bound = std::min(solution.lower_bound, solution.cost);
+    const double excess = solution.lower_bound - solution.stats.certificate_bound;
+    solution.stats.bound_by_branching = excess > 1e-9 * std::abs(solution.lower_bound);
+  }
+
+  double bound_of_parts(const Solution& solution) const {
     double error = 0;
     bool exact = !solution.solutions.empty();
     for (const Part& part : parts_) {
@@ -287,19 +339,15 @@ class Pipeline {
     }
     // On a grid a proof to less than a step is a proof of the cost, but for the rounding that put
     // the costs beside their grid points.
-    const double branched = exact ? solution.cost - off_grid() : total(&lower_bound) - error;
-    solution.lower_bound = std::max(solution.stats.certificate_bound, branched);
-    if (!solution.solutions.empty())
-      solution.lower_bound = std::min(solution.lower_bound, solution.cost);
-    const double excess = solution.lower_bound - solution.stats.certificate_bound;
-    solution.stats.bound_by_branching = excess > 1e-9 * std::abs(solution.lower_bound);
+    return exact ? solution.cost - off_grid() : total(&lower_bound) - error;
   }
 
   void set_status(Solution& solution) const {
-    bool complete = true;
+    bool complete = is_bounded_;
     Status stopped = Status::kIterationLimit;
     double error = 0;
     for (const Part& part : parts_) {
+      if (part.solver == nullptr) continue;
       const ComponentState& state = part.solver->state();
       if (!part.solver->precision().on_grid()) error += 2 * part.solver->precision().error;
       complete = complete && state.complete;
@@ -358,6 +406,8 @@ class Pipeline {
   const Options& options_;
   std::stop_source stop_;
   std::stop_callback<StopForwarder> forward_stop_;
+  Monitor monitor_;
+  const std::function<void()> heartbeat_ = [this] { monitor_.heartbeat(); };
   core::Deadline deadline_;
   core::Shift shift_;
   core::CostGrid grid_;
@@ -365,14 +415,13 @@ class Pipeline {
   std::vector<Part> parts_;
   std::vector<std::vector<bool>> covered_;    // [k][i]: whether the best packing uses the index
   std::vector<pipeline::RealIndex> missing_;  // forbidden singletons among the rest, ascending
+  bool is_bounded_ = false;                   // every part has a solver and a bound
 };
 
 }  // namespace
 
 Solution solve(const Problem& problem, const Options& options) {
   validate(options);
-  const double largest = largest_cost(problem);
-  if (largest > kLargestCost) return overflow(problem, largest);
   return Pipeline(problem, options).run();
 }
 

@@ -196,14 +196,32 @@ TEST(MaximizeDual, KeepsTheEmptyPackingWhenNoneIsBetter) {
   EXPECT_EQ(result.best.cost, 0);
 }
 
+TEST(MaximizeDual, ClaimsNothingWhereNoTimeIsLeft) {
+  const Component component = slow_component();
+  for (const DualMethod method : {DualMethod::kBundleTrust, DualMethod::kCoordinate}) {
+    LagrangianOptions options;
+    options.dual_method = method;
+    options.certify_s = 20;
+    options.deadline = core::Deadline(10);
+    const LagrangianResult result = maximize_dual(component, {}, options, recover_nothing);
+    EXPECT_EQ(result.evaluations, 0);
+    EXPECT_EQ(result.lower, -kInfinity);
+    EXPECT_TRUE(result.best.arcs.empty());
+  }
+}
+
 TEST(MaximizeDual, StopsAtTheDeadlineWithAValidBound) {
   const Component component = slow_component();
-  LagrangianOptions options;
-  options.max_evaluations = 1000;
-  options.deadline = core::Deadline(0);
-  const LagrangianResult result = maximize_dual(component, {}, options, recover_nothing);
-  EXPECT_EQ(result.evaluations, 1);
-  expect_valid(component, result);
+  for (const DualMethod method : {DualMethod::kBundleTrust, DualMethod::kCoordinate}) {
+    LagrangianOptions options;
+    options.dual_method = method;
+    options.max_evaluations = 1'000'000'000;
+    options.relative_tolerance = 0;
+    options.certify_s = 1000;
+    options.deadline = core::Deadline(1000.01);
+    const LagrangianResult result = maximize_dual(component, {}, options, recover_nothing);
+    if (result.evaluations > 0) expect_valid(component, result);
+  }
 }
 
 }  // namespace

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 #include "solve/infeasibility.hpp"
 #include "solve/process.hpp"
 #include "support/tiny_problems.hpp"
@@ -20,7 +23,8 @@ TEST(Monitor, AddsUpWhatTheComponentsReport) {
     seen.push_back(progress);
     return true;
   };
-  Monitor monitor(callback, 100, 2, std::stop_source());
+  Monitor monitor(callback, std::stop_source());
+  monitor.begin(100, 2);
   monitor.add_component(-10);
   monitor.moved(-3, 0, "greedy");
   monitor.add_component(-20);
@@ -47,7 +51,8 @@ TEST(Monitor, AsksToStopWhenTheCallbackSaysSo) {
   const std::function<bool(const Progress&)> callback = [&](const Progress&) {
     return ++calls < 2;
   };
-  Monitor monitor(callback, 0, 1, stop);
+  Monitor monitor(callback, stop);
+  monitor.begin(0, 1);
   monitor.moved(-1, 0, "greedy");
   EXPECT_FALSE(stop.stop_requested());
   monitor.moved(-1, 0, "greedy");
@@ -57,10 +62,28 @@ TEST(Monitor, AsksToStopWhenTheCallbackSaysSo) {
 TEST(Monitor, NeedsNoCallback) {
   std::stop_source stop;
   const std::function<bool(const Progress&)> none;
-  Monitor monitor(none, 0, 1, stop);
+  Monitor monitor(none, stop);
+  monitor.begin(0, 1);
   monitor.add_component(-1);
   monitor.moved(-1, 0, "greedy");
   EXPECT_FALSE(stop.stop_requested());
+}
+
+TEST(Monitor, BeatsOnlyWhereNothingWasToldForLong) {
+  std::vector<Progress> seen;
+  const std::function<bool(const Progress&)> callback = [&](const Progress& progress) {
+    seen.push_back(progress);
+    return true;
+  };
+  Monitor monitor(callback, std::stop_source());
+  monitor.heartbeat();
+  EXPECT_THAT(seen, IsEmpty());
+  std::this_thread::sleep_for(std::chrono::duration<double>(Monitor::kHeartbeatSeconds));
+  monitor.heartbeat();
+  monitor.heartbeat();
+  ASSERT_EQ(seen.size(), 1u);
+  EXPECT_STREQ(seen[0].event, "working");
+  EXPECT_EQ(seen[0].cost, kInfinity) << "nothing is known yet";
 }
 
 // Ten rows without singletons, one column.
