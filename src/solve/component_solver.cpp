@@ -29,6 +29,9 @@ using core::Packing;
 
 constexpr std::int64_t kEnumerationNodes = 200000;
 constexpr int kFeasibleSweeps = 3;
+// The search of the second round is so many times longer than that of the first.
+constexpr int kWideEffort = 100;
+constexpr double kWideGap = 0.05;
 // Above this the linear program would be too large to be of use, and memory runs out.
 constexpr std::size_t kMostCuttingArcs = 2000000;
 // A rounded point is worth descending from when it misses the best by at most this share of the
@@ -119,6 +122,8 @@ void ComponentSolver::finish(double allowed_gap) {
     return;
   }
   if (close_enough(allowed_gap) || deadline_.reached()) return;
+  // With a gap that wide a proof is far away; better solutions are not.
+  if (state_.best.cost - state_.lower > kWideGap * std::abs(state_.best.cost)) search(kWideEffort);
   if (options_.method != Method::kExact) branch_and_cut(allowed_gap);
   if (!close_enough(allowed_gap)) branch(allowed_gap);
 }
