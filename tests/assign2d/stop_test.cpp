@@ -9,7 +9,8 @@
 namespace nda {
 namespace {
 
-// 1000 x 1000, pairs present with probability `share`; everybody may stay out.
+// 300 x 300, pairs present with probability `share`; everybody may stay out.  The costs i j (Machol
+// and Wien) make all want the same.
 struct Market {
   explicit Market(double share) {
     core::Random random(7);
@@ -17,7 +18,7 @@ struct Market {
       for (std::uint32_t j = 0; j < kSize; ++j) {
         if (random.uniform() >= share) continue;
         column.push_back(j);
-        cost.push_back(static_cast<double>(random.below(1000)));
+        cost.push_back(static_cast<double>((i + 1) * (j + 1)));
       }
       row_start.push_back(static_cast<std::uint32_t>(column.size()));
     }
@@ -27,7 +28,7 @@ struct Market {
   std::vector<std::uint32_t> row_start = {0};
   std::vector<std::uint32_t> column;
   std::vector<double> cost;
-  std::vector<double> outside = std::vector<double>(kSize, 5000);
+  std::vector<double> outside = std::vector<double>(kSize, 1e6);
 
   Assign2dProblem view() const { return {row_start, column, cost, outside, outside}; }
 };
