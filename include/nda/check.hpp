@@ -30,7 +30,10 @@ struct CheckReport {
 CheckReport check(const Problem& problem, const Solution& solution);
 
 /// The certificate: sum u + sum over arcs and singletons of min(0, c_a - sum of u over a), rounded
-/// downwards by its error bound.  @param multipliers  u[k][i-1], M_k entries each; finite.
+/// downwards by its error bound; -inf where that overflows.
+/// @param multipliers  u[k][i-1], M_k entries each; finite.  Throws InputError otherwise, naming
+/// the
+///                     dimension.
 double certificate_bound(const Problem& problem,
                          const std::vector<std::vector<double>>& multipliers);
 

@@ -10,7 +10,8 @@
 // The checker knows the problem and the solution, nothing of how it was found.  Sums are kept in
 // double-double; the certificate is then rounded downwards by a bound on all its rounding errors:
 // each of the T additions errs by at most 2^-104 of a partial sum, no partial sum exceeds the sum S
-// of the absolute values of all terms, so the whole errs by less than T 2^-104 S.
+// of the absolute values of all terms, so the whole errs by less than T 2^-104 S.  Where that
+// underflows the next double above it is taken.
 
 namespace nda {
 namespace {
@@ -114,29 +115,24 @@ void check_solutions(const Problem& problem, const Solution& solution, CheckRepo
   }
 }
 
-bool multipliers_fit(const Problem& problem,
-                     const std::vector<std::vector<double>>& multipliers,
-                     std::vector<std::string>& faults) {
+// What is wrong with the shape or the values of multipliers; empty when nothing is.
+std::string multipliers_fault(const Problem& problem,
+                              const std::vector<std::vector<double>>& multipliers) {
   if (multipliers.size() != static_cast<std::size_t>(problem.num_dimensions())) {
-    faults.push_back("multipliers of " + std::to_string(multipliers.size()) +
-                     " dimensions, the problem has " + std::to_string(problem.num_dimensions()));
-    return false;
+    return "multipliers of " + std::to_string(multipliers.size()) +
+           " dimensions, the problem has " + std::to_string(problem.num_dimensions());
   }
   for (std::size_t k = 0; k < multipliers.size(); ++k) {
+    const std::string place = "dimension " + std::to_string(k + 1);
     if (multipliers[k].size() != problem.sizes()[k]) {
-      faults.push_back("dimension " + std::to_string(k + 1) + " has " +
-                       std::to_string(multipliers[k].size()) + " multipliers, not " +
-                       std::to_string(problem.sizes()[k]));
-      return false;
+      return place + " has " + std::to_string(multipliers[k].size()) + " multipliers, not " +
+             std::to_string(problem.sizes()[k]);
     }
     for (const double u : multipliers[k]) {
-      if (!std::isfinite(u)) {
-        faults.push_back("a multiplier of dimension " + std::to_string(k + 1) + " is not finite");
-        return false;
-      }
+      if (!std::isfinite(u)) return "a multiplier of " + place + " is not finite";
     }
   }
-  return true;
+  return {};
 }
 
 void check_bound(const Problem& problem, const Solution& solution, CheckReport& report) {
@@ -144,7 +140,8 @@ void check_bound(const Problem& problem, const Solution& solution, CheckReport& 
     report.bound_right = report.bound_by_branching = true;
     return;
   }
-  if (!multipliers_fit(problem, solution.multipliers, report.faults)) return;
+  const std::string fault = multipliers_fault(problem, solution.multipliers);
+  if (!fault.empty()) return report.faults.push_back(fault);
   report.certificate_bound = certificate_bound(problem, solution.multipliers);
   report.bound_right = true;
   if (solution.lower_bound <= report.certificate_bound ||
@@ -212,6 +209,8 @@ CheckReport check(const Problem& problem, const Solution& solution) {
 
 double certificate_bound(const Problem& problem,
                          const std::vector<std::vector<double>>& multipliers) {
+  const std::string fault = multipliers_fault(problem, multipliers);
+  if (!fault.empty()) throw InputError(fault);
   core::DoubleDouble bound;
   double magnitude = 0;
   const auto add = [&](double term) {
@@ -249,9 +248,7 @@ double certificate_bound(const Problem& problem,
   if (!std::isfinite(magnitude)) return -kInfinity;
   const double terms =
       static_cast<double>(problem.num_arcs() * (n + 2) + 3 * problem.num_indices());
-  const double error = terms * 0x1p-100 * magnitude;
-  if (error == 0) return 0.0;
-  bound.add(-error);
+  bound.add(-std::nextafter(terms * 0x1p-100 * magnitude, kInfinity));
   return std::nextafter(bound.high(), -kInfinity);
 }
 
