@@ -10,27 +10,40 @@ namespace nda {
 
 /// The verdict of the independent checker.
 struct CheckReport {
-  bool feasible =
-      false;  ///< every real index used exactly once, every arc exists, nothing forbidden
-  bool cost_right = false;  ///< the stated cost is the recomputed one (1e-9 relative)
-  bool bound_right =
-      false;  ///< the stated bound is not above what the multipliers or branching prove
-  bool bound_by_branching =
-      false;  ///< the stated bound exceeds the certificate's: not checkable without a proof
+  /// There is a solution, and every one uses every real index exactly once, by arcs that exist and
+  /// singletons that are not forbidden.
+  bool feasible = false;
+  bool cost_right = false;  ///< there is a solution, and every stated cost is the recomputed one
+                            ///< (1e-9 relative)
+  /// The multipliers prove the stated bound; of an infeasible problem: some index has no arc and a
+  /// forbidden singleton.
+  bool bound_right = false;
+  /// The stated bound (or infeasibility) is said to rest on the search, and nothing denies it:
+  /// that cannot be checked from the multipliers.  Never true together with bound_right.
+  bool bound_by_branching = false;
   double cost = kInfinity;                ///< recomputed, of the first solution
   double certificate_bound = -kInfinity;  ///< recomputed from the multipliers, rounded down
-  std::vector<std::string> faults;        ///< one sentence each; empty when all is right
+  std::vector<std::string> faults;        ///< one sentence each; empty when nothing is wrong
 
+  /// Nothing is wrong.  A bound by branching passes: read bound_right for what is checked.
   bool passed() const { return faults.empty(); }
 };
 
 /// Checks a solution with code of its own: shares nothing with the solver but the two types.
-/// O(A N).  Never throws on a wrong solution.  A claim that the bounds deny is a fault too: optimal
-/// or proven with a gap, infeasible with a solution.
+/// O(A N).  Never throws on a wrong solution.
+///
+/// A claim that can be denied is a fault: optimal or proven where the bound does not meet the cost
+/// to 1e-9 of the costs chosen, one of the two without the other, infeasible with a solution or
+/// with all singletons free, no solution though all are free, a list that is not best first, a
+/// stated certificate above the real one, a bound above the cost.  Why a solve stopped, and for
+/// gap_reached which gap was asked for, is not in the file and is not judged.
 CheckReport check(const Problem& problem, const Solution& solution);
 
 /// The certificate: sum u + sum over arcs and singletons of min(0, c_a - sum of u over a), rounded
-/// downwards by its error bound.  @param multipliers  u[k][i-1], M_k entries each; finite.
+/// downwards by its error bound; -inf where that overflows.
+/// @param multipliers  u[k][i-1], M_k entries each; finite.  Throws InputError otherwise, naming
+/// the
+///                     dimension.
 double certificate_bound(const Problem& problem,
                          const std::vector<std::vector<double>>& multipliers);
 

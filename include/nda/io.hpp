@@ -85,8 +85,8 @@ void write_solution(const Solution& solution, const std::string& path);
 std::string solution_to_json(const Solution& solution);
 
 /// Reads a solution, plain or gzip-compressed, from a file or from standard input ("-").  Every
-/// field of version 1 must be present with its type; the message names the faulty one.  That the
-/// values are right is for check() to say.
+/// field of version 1 must be present with its type, and both gaps must be those of cost and bound;
+/// the message names the faulty one.  That the other values are right is for check() to say.
 Solution read_solution(const std::string& path);
 
 /// The same from text.

@@ -20,11 +20,13 @@ namespace nda {
 /// | node_limit     | best so far     | valid                        | empty         |
 /// | interrupted    | best so far     | valid                        | empty         |
 /// | infeasible     | none            | bound +inf, no certificate   | who and why   |
-/// | precision_lost | best so far     | valid but cannot meet cost   | what is known |
+/// | precision_lost | best so far     | valid, need not meet cost    | what is known |
 ///
 /// After a limit `solutions` is empty when no feasible solution was found (possible only where
-/// singletons are forbidden); then cost is +inf and lower_bound still holds.  Infeasible: there are
-/// no multipliers, the certificate is -inf, and it is the search that proves lower_bound = +inf.
+/// singletons are forbidden, or their sum overflows); then cost is +inf and lower_bound still
+/// holds.  Precision_lost because costs exceed 1e100: nothing is searched, the solution leaves
+/// every index alone, the multipliers are 0.  Infeasible: there are no multipliers, the certificate
+/// is -inf, and it is the search that proves lower_bound = +inf.
 enum class Status {
   kOptimal,
   kGapReached,

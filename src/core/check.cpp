@@ -11,7 +11,8 @@
 // The checker knows the problem and the solution, nothing of how it was found.  Sums are kept in
 // double-double; the certificate is then rounded downwards by a bound on all its rounding errors:
 // each of the T additions errs by at most 2^-104 of a partial sum, no partial sum exceeds the sum S
-// of the absolute values of all terms, so the whole errs by less than T 2^-104 S.
+// of the absolute values of all terms, so the whole errs by less than T 2^-104 S.  Where that
+// underflows the next double above it is taken.
 
 namespace nda {
 namespace {
@@ -91,8 +92,35 @@ class SolutionWalk {
   bool feasible_ = true;
 };
 
-void check_solutions(const Problem& problem, const Solution& solution, CheckReport& report) {
-  report.feasible = report.cost_right = true;
+std::string rank_text(const RankedSolution& ranked) {
+  return "solution " + std::to_string(ranked.rank);
+}
+
+// Is the list best first, and proven only where the whole is?
+void check_ranks(const Solution& solution, CheckReport& report) {
+  const std::vector<RankedSolution>& list = solution.solutions;
+  for (std::size_t n = 0; n < list.size(); ++n) {
+    if (list[n].rank != static_cast<int>(n + 1)) {
+      report.faults.push_back("number " + std::to_string(n + 1) + " in the list has rank " +
+                              std::to_string(list[n].rank));
+    }
+    if (n > 0 && list[n].cost < list[n - 1].cost) {
+      report.faults.push_back(rank_text(list[n]) + " is stated to cost less than the one before");
+    }
+    const bool fits =
+        n == 0 ? list[n].proven == solution.proven : !list[n].proven || solution.proven;
+    if (!fits) {
+      report.faults.push_back(
+          rank_text(list[n]) + " is stated to be " +
+          (list[n].proven ? "proven, the whole is not" : "not proven, yet the whole is"));
+    }
+  }
+}
+
+// Returns the sum of the absolute costs of the first solution.
+double check_solutions(const Problem& problem, const Solution& solution, CheckReport& report) {
+  report.feasible = report.cost_right = !solution.solutions.empty();
+  double magnitude = 0;
   for (const RankedSolution& ranked : solution.solutions) {
     SolutionWalk walk(problem, report.faults);
     for (const std::vector<Index>& tuple : ranked.arcs) walk.arc(tuple);
@@ -101,96 +129,163 @@ void check_solutions(const Problem& problem, const Solution& solution, CheckRepo
     const bool right = std::abs(walk.cost() - ranked.cost) <= 1e-12 * walk.magnitude() ||
                        close(walk.cost(), ranked.cost);
     if (!right) {
-      report.faults.push_back("solution " + std::to_string(ranked.rank) + " states cost " +
-                              number(ranked.cost) + ", its arcs cost " + number(walk.cost()));
+      report.faults.push_back(rank_text(ranked) + " states cost " + number(ranked.cost) +
+                              ", its arcs cost " + number(walk.cost()));
     }
     report.cost_right = report.cost_right && right;
-    if (&ranked == &solution.solutions.front()) report.cost = walk.cost();
+    if (&ranked != &solution.solutions.front()) continue;
+    report.cost = walk.cost();
+    magnitude = walk.magnitude();
   }
+  check_ranks(solution, report);
   const double stated = solution.solutions.empty() ? kInfinity : solution.solutions.front().cost;
   if (stated != solution.cost) {
     report.cost_right = false;
     report.faults.push_back("cost " + number(solution.cost) +
                             " is not that of the first solution, " + number(stated));
   }
+  return magnitude;
 }
 
-bool multipliers_fit(const Problem& problem,
-                     const std::vector<std::vector<double>>& multipliers,
-                     std::vector<std::string>& faults) {
+// What is wrong with the shape or the values of multipliers; empty when nothing is.
+std::string multipliers_fault(const Problem& problem,
+                              const std::vector<std::vector<double>>& multipliers) {
   if (multipliers.size() != static_cast<std::size_t>(problem.num_dimensions())) {
-    faults.push_back("multipliers of " + std::to_string(multipliers.size()) +
-                     " dimensions, the problem has " + std::to_string(problem.num_dimensions()));
-    return false;
+    return "multipliers of " + std::to_string(multipliers.size()) +
+           " dimensions, the problem has " + std::to_string(problem.num_dimensions());
   }
   for (std::size_t k = 0; k < multipliers.size(); ++k) {
+    const std::string place = "dimension " + std::to_string(k + 1);
     if (multipliers[k].size() != problem.sizes()[k]) {
-      faults.push_back("dimension " + std::to_string(k + 1) + " has " +
-                       std::to_string(multipliers[k].size()) + " multipliers, not " +
-                       std::to_string(problem.sizes()[k]));
-      return false;
+      return place + " has " + std::to_string(multipliers[k].size()) + " multipliers, not " +
+             std::to_string(problem.sizes()[k]);
     }
     for (const double u : multipliers[k]) {
-      if (!std::isfinite(u)) {
-        faults.push_back("a multiplier of dimension " + std::to_string(k + 1) + " is not finite");
-        return false;
-      }
+      if (!std::isfinite(u)) return "a multiplier of " + place + " is not finite";
     }
   }
-  return true;
+  return {};
 }
 
+bool above(double bound, double value) {
+  return !(bound <= value) && !close(bound, value);
+}
+
+// What the multipliers prove, and whether that is what is stated.
 void check_bound(const Problem& problem, const Solution& solution, CheckReport& report) {
-  if (solution.status == Status::kInfeasible) {
-    report.bound_right = report.bound_by_branching = true;
-    return;
-  }
-  if (!multipliers_fit(problem, solution.multipliers, report.faults)) return;
+  const std::string fault = multipliers_fault(problem, solution.multipliers);
+  if (!fault.empty()) return report.faults.push_back(fault);
   report.certificate_bound = certificate_bound(problem, solution.multipliers);
-  report.bound_right = true;
-  if (solution.lower_bound <= report.certificate_bound ||
-      close(solution.lower_bound, report.certificate_bound)) {
-    return;
-  }
-  report.bound_by_branching = solution.stats.bound_by_branching;
-  if (!report.bound_by_branching) {
-    report.bound_right = false;
-    report.faults.push_back("lower bound " + number(solution.lower_bound) +
-                            " is stated, the multipliers prove only " +
+  report.bound_right = !above(solution.lower_bound, report.certificate_bound);
+  report.bound_by_branching = !report.bound_right && solution.stats.bound_by_branching;
+  if (report.bound_right || report.bound_by_branching) return;
+  report.faults.push_back("lower bound " + number(solution.lower_bound) +
+                          " is stated, the multipliers prove only " +
+                          number(report.certificate_bound));
+}
+
+// No bound may exceed the verified cost, nor the stated certificate that of the multipliers.
+void check_bounds_fit(const Solution& solution, CheckReport& report) {
+  if (above(solution.stats.certificate_bound, report.certificate_bound)) {
+    report.faults.push_back("certificate " + number(solution.stats.certificate_bound) +
+                            " is stated, the multipliers prove " +
                             number(report.certificate_bound));
-  } else if (!(solution.lower_bound <= report.cost) && !close(solution.lower_bound, report.cost)) {
-    report.bound_right = false;
+  }
+  if (!report.feasible) return;
+  if (above(solution.lower_bound, report.cost)) {
+    report.bound_by_branching = false;
     report.faults.push_back("lower bound " + number(solution.lower_bound) + " exceeds the cost " +
                             number(report.cost));
   }
+  if (above(report.certificate_bound, report.cost)) {
+    report.faults.push_back("certificate " + number(report.certificate_bound) +
+                            " exceeds the cost " + number(report.cost));
+  }
 }
 
-// Where equal costs cannot be told from different ones: a billionth of the largest cost, or of 1 if
-// all are 0.
-double cost_tolerance(const Problem& problem, double cost) {
-  double largest = std::abs(cost);
-  for (const double c : problem.costs()) largest = std::max(largest, std::abs(c));
+// Calls note(cost) for the singletons of all real indices.
+template <typename Note>
+void for_each_singleton(const Problem& problem, Note&& note) {
   for (int k = 0; k < problem.num_dimensions(); ++k) {
-    for (const double c : problem.singleton_costs(k)) {
-      if (c < kInfinity) largest = std::max(largest, std::abs(c));
+    for (const double cost : problem.singleton_costs(k).subspan(1)) note(cost);
+  }
+}
+
+// Where no singleton is forbidden and their sum does not overflow, leaving all alone is a solution.
+bool always_feasible(const Problem& problem) {
+  core::DoubleDouble sum;
+  for_each_singleton(problem, [&](double cost) { sum.add(cost); });
+  return std::isfinite(sum.high());
+}
+
+// Whether some index cannot be used: no arc has it and its singleton is forbidden.
+bool has_hopeless_index(const Problem& problem) {
+  for (int k = 0; k < problem.num_dimensions(); ++k) {
+    std::vector<bool> used(problem.size(k) + std::size_t{1}, false);
+    for (const Index i : problem.indices(k)) used[i] = true;
+    const auto singletons = problem.singleton_costs(k);
+    for (std::size_t i = 1; i < used.size(); ++i) {
+      if (!used[i] && singletons[i] == kInfinity) return true;
     }
   }
-  return 1e-9 * (largest > 0 ? largest : 1.0);
+  return false;
+}
+
+// Infeasible: there are no multipliers, and mostly it is the search that knows.
+void check_infeasible(const Problem& problem, const Solution& solution, CheckReport& report) {
+  const auto fault = [&](const std::string& text) {
+    report.faults.push_back("status infeasible is stated, yet " + text);
+  };
+  if (!solution.solutions.empty()) fault("there is a solution");
+  if (always_feasible(problem)) fault("no singleton is forbidden: leaving all alone is feasible");
+  if (solution.lower_bound != kInfinity) {
+    fault("the lower bound is " + number(solution.lower_bound));
+  }
+  if (solution.proven) fault("a cost is stated to be proven");
+  if (solution.reason.empty()) fault("no reason is given");
+  report.bound_right = has_hopeless_index(problem);
+  report.bound_by_branching = !report.bound_right && report.faults.empty();
+}
+
+// Up to which gap a cost counts as proven (docs/numerics.md): a billionth of the costs that were
+// chosen, or of the least cost that is not 0 where these are smaller.
+double gap_tolerance(const Problem& problem, double magnitude) {
+  double least = kInfinity;
+  const auto note = [&](double cost) {
+    if (cost != 0) least = std::min(least, std::abs(cost));
+  };
+  for (const double cost : problem.costs()) note(cost);
+  for_each_singleton(problem, note);
+  return 1e-9 * std::max(magnitude, least < kInfinity ? least : 1.0);
 }
 
 // What status and `proven` say must fit the two bounds (table in nda/solution.hpp).
-void check_claims(const Problem& problem, const Solution& solution, CheckReport& report) {
-  if (solution.status == Status::kInfeasible) {
-    if (!solution.solutions.empty()) {
-      report.faults.push_back("status infeasible is stated, yet there is a solution");
+void check_claims(const Problem& problem,
+                  const Solution& solution,
+                  double magnitude,
+                  CheckReport& report) {
+  const std::string status = to_string(solution.status);
+  if (solution.solutions.empty()) {
+    const bool needs_one =
+        solution.status == Status::kOptimal || solution.status == Status::kGapReached;
+    if (needs_one || solution.proven || always_feasible(problem)) {
+      report.faults.push_back(
+          "status " + status + (solution.proven ? " and proven" : "") +
+          " is stated without a solution" +
+          (needs_one || solution.proven ? "" : ", yet leaving all alone is one"));
     }
     return;
   }
-  if (solution.status != Status::kOptimal && !solution.proven) return;
-  if (solution.gap() <= cost_tolerance(problem, solution.cost)) return;
-  const std::string claim =
-      solution.proven ? "the cost is stated to be proven, yet" : "status optimal is stated, yet";
-  report.faults.push_back(claim + " the lower bound " + number(solution.lower_bound) +
+  const bool optimal = solution.status == Status::kOptimal;
+  if (optimal != solution.proven) {
+    report.faults.push_back("status " + status + " is stated, yet the cost is stated to be " +
+                            (solution.proven ? "proven" : "not proven"));
+  }
+  if (!optimal && !solution.proven) return;
+  if (solution.gap() <= gap_tolerance(problem, magnitude)) return;
+  report.faults.push_back(std::string(solution.proven ? "the cost is stated to be proven"
+                                                      : "status optimal is stated") +
+                          ", yet the lower bound " + number(solution.lower_bound) +
                           " does not meet it");
 }
 
@@ -214,8 +309,7 @@ class CertificateSum {
       total.add(sum.high());
       total.add(sum.low());
     }
-    const double error = terms * 0x1p-100 * magnitude_;
-    if (error == 0) return 0.0;
+    const double error = std::nextafter(terms * 0x1p-100 * magnitude_, kInfinity);
     total.add(-error);
     return std::nextafter(total.high(), -kInfinity);
   }
@@ -318,14 +412,21 @@ CheckReport check(const Problem& problem, const Solution& solution) {
     report.faults.push_back("the solution is of a problem of other sizes");
     return report;
   }
-  check_solutions(problem, solution, report);
-  check_bound(problem, solution, report);
-  check_claims(problem, solution, report);
+  const double magnitude = check_solutions(problem, solution, report);
+  if (solution.status == Status::kInfeasible) {
+    check_infeasible(problem, solution, report);
+  } else {
+    check_bound(problem, solution, report);
+    check_claims(problem, solution, magnitude, report);
+  }
+  check_bounds_fit(solution, report);
   return report;
 }
 
 double certificate_bound(const Problem& problem,
                          const std::vector<std::vector<double>>& multipliers) {
+  const std::string fault = multipliers_fault(problem, multipliers);
+  if (!fault.empty()) throw InputError(fault);
   CertificateSum sum;
   const std::size_t n = multipliers.size();
   for (std::size_t k = 0; k < n; ++k) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
@@ -118,6 +119,22 @@ void check_format(const JsonNode& root) {
   }
 }
 
+// Both gaps follow from cost and bound, and must be theirs to 1e-9 of the larger of the two.
+void require_gaps(const JsonNode& root, const Solution& solution) {
+  const bool finite = std::isfinite(solution.gap());
+  const double size =
+      finite ? std::max(std::abs(solution.cost), std::abs(solution.lower_bound)) : 0.0;
+  const auto require = [](const JsonNode& node, double right, double tolerance) {
+    const double stated = node.number();
+    if (stated == right || std::abs(stated - right) <= tolerance) return;
+    node.fail("does not follow from cost and lower_bound");
+  };
+  require(root["gap"], solution.gap(), 1e-9 * size);
+  require(root["relative_gap"],
+          solution.relative_gap(),
+          finite ? 1e-9 * size / std::max(1e-9, std::abs(solution.cost)) : 0.0);
+}
+
 Solution solution(const JsonNode& root) {
   check_format(root);
   Solution result;
@@ -127,8 +144,7 @@ Solution solution(const JsonNode& root) {
   result.reason = root["reason"].text();
   result.cost = root["cost"].number();
   result.lower_bound = root["lower_bound"].number();
-  root["gap"].number();
-  root["relative_gap"].number();
+  require_gaps(root, result);
   const JsonNode solutions = root["solutions"];
   for (std::size_t i = 0; i < solutions.size(); ++i) {
     result.solutions.push_back(ranked_solution(solutions[i], result.sizes.size()));

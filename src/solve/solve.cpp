@@ -69,13 +69,23 @@ std::string figure_text(double figure) {
   return text;
 }
 
-// The answer where nothing can be computed.
+// The answer where nothing can be computed but what leaving every index alone costs, if it may be.
 Solution overflow(const Problem& problem, double largest) {
   Solution solution;
   solution.sizes.assign(problem.sizes().begin(), problem.sizes().end());
   solution.num_arcs = problem.num_arcs();
   solution.status = Status::kPrecisionLost;
+  core::DoubleDouble alone;
+  for (int k = 0; k < problem.num_dimensions(); ++k) {
+    for (const double cost : problem.singleton_costs(k)) alone.add(cost);
+  }
+  if (std::isfinite(alone.high())) {
+    solution.cost = alone.high();
+    solution.solutions.push_back({1, solution.cost, false, {}});
+  }
   for (const Index size : problem.sizes()) solution.multipliers.emplace_back(size, 0.0);
+  solution.lower_bound = certificate_bound(problem, solution.multipliers);
+  solution.stats.certificate_bound = solution.lower_bound;
   solution.reason = "costs as large as " + figure_text(largest) + " overflow, scale them";
   return solution;
 }

@@ -56,6 +56,28 @@ TEST(CheckCommand, FailsAWrongCostAndAnExaggeratedBound) {
   }
 }
 
+TEST(CheckCommand, SaysWhatCannotBeChecked) {
+  const TemporaryFolder folder;
+  write_file(folder / "a.nda", kProblem);
+  Solution branched = right_solution();
+  branched.multipliers = {{0}, {0, 0}};
+  branched.stats.certificate_bound = -5;
+  branched.stats.bound_by_branching = true;
+  write_solution(branched, folder / "a.json");
+  const Outcome outcome = run(folder, "nda check a.nda a.json");
+  EXPECT_EQ(outcome.code, 0) << outcome.output;
+  EXPECT_THAT(outcome.output,
+              HasSubstr("bound right         by branching: not checkable from the multipliers\n"));
+
+  write_file(folder / "b.nda", "p nda 2 2 1 4\na 1 1 1\na 2 1 1\na 1 0 inf\na 2 0 inf\n");
+  run(folder, "nda solve b.nda -q -o b.json");
+  const Outcome infeasible = run(folder, "nda check b.nda b.json");
+  EXPECT_EQ(infeasible.code, 0) << infeasible.output;
+  EXPECT_THAT(infeasible.output, HasSubstr("feasible            no solution\n"));
+  EXPECT_THAT(infeasible.output,
+              HasSubstr("bound right         infeasible by branching: not checkable\n"));
+}
+
 TEST(CheckCommand, NamesTheFileItCannotRead) {
   const TemporaryFolder folder;
   write_file(folder / "a.nda", kProblem);

@@ -61,7 +61,7 @@ void expect_rounded_down(const Problem& problem, const Multipliers& u) {
       static_cast<double>(problem.num_arcs() * (u.size() + 2) + 3 * problem.num_indices() + 1);
   EXPECT_LE(exact.value - Exact(computed),
             abs(exact.value) * Exact(0x1p-51) + exact.magnitude * Exact(2 * terms * 0x1p-100) +
-                Exact(std::numeric_limits<double>::denorm_min()));
+                3 * Exact(std::numeric_limits<double>::denorm_min()));
 }
 
 TEST(CertificateBound, IsTheLpValueForOptimalMultipliers) {
@@ -125,6 +125,46 @@ TEST(CertificateBound, OfNothingIsZero) {
   EXPECT_EQ(certificate_bound(support::empty().problem, {{}, {}, {}}), 0);
   const Problem problem = support::make_problem({1, 1}, {{{1, 1}, 3}});
   EXPECT_EQ(certificate_bound(problem, {{0}, {0}}), 0) << "nothing was rounded";
+}
+
+// Costs so small that the bound on the rounding errors underflows.
+TEST(CertificateBound, IsNeverAboveTheExactValueForTinyCosts) {
+  for (const double cost : {-1e-300, -1e-320, -std::numeric_limits<double>::denorm_min()}) {
+    SCOPED_TRACE(cost);
+    const Problem problem = support::make_problem({1, 1}, {{{1, 1}, cost}});
+    EXPECT_LE(certificate_bound(problem, {{0}, {0}}), cost);
+    expect_rounded_down(problem, {{0}, {0}});
+    expect_rounded_down(problem, {{cost}, {0}});
+  }
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const double size = std::pow(10.0, random.uniform(-323, -290));
+    ProblemBuilder builder({3, 3, 3});
+    for (Index a = 0; a < 9; ++a) {
+      builder.add_arc({1 + a / 3, 1 + a % 3, static_cast<Index>(random.below(4))},
+                      random.uniform(-9, 3) * size);
+    }
+    const Problem problem = std::move(builder).build();
+    expect_rounded_down(problem, core::random_multipliers(problem, random, size));
+  }
+}
+
+TEST(CertificateBound, NamesMultipliersThatDoNotFit) {
+  const Problem problem = support::make_problem({1, 2}, {{{1, 1}, 3}});
+  const auto message = [&](const Multipliers& u) -> std::string {
+    try {
+      certificate_bound(problem, u);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(message({{0}}), "multipliers of 1 dimensions, the problem has 2");
+  EXPECT_EQ(message({{0}, {0, 0}, {0}}), "multipliers of 3 dimensions, the problem has 2");
+  EXPECT_EQ(message({{0}, {0}}), "dimension 2 has 1 multipliers, not 2");
+  EXPECT_EQ(message({{0, 0}, {0, 0}}), "dimension 1 has 2 multipliers, not 1");
+  EXPECT_EQ(message({{0}, {0, kInfinity}}), "a multiplier of dimension 2 is not finite");
 }
 
 TEST(CertificateBound, IgnoresForbiddenSingletons) {

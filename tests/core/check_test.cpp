@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -82,24 +83,83 @@ TEST(Check, AcceptsALimitWithoutASolution) {
   EXPECT_EQ(report.cost, kInfinity);
 }
 
-TEST(Check, AcceptsInfeasibleWithoutMultipliers) {
+void claim_infeasible(Solution& solution) {
+  solution.status = Status::kInfeasible;
+  solution.reason = "index 2 of dimension 1 cannot be covered";
+  solution.solutions.clear();
+  solution.cost = solution.lower_bound = kInfinity;
+  solution.multipliers.clear();
+  solution.stats.certificate_bound = -kInfinity;
+}
+
+TEST(Check, CannotTellAnInfeasibleProblemFromAnother) {
+  const CheckReport report = report_after(claim_infeasible);
+  EXPECT_THAT(report.faults, IsEmpty());
+  EXPECT_FALSE(report.feasible);
+  EXPECT_FALSE(report.bound_right) << "the claim is false, only nobody can see it";
+  EXPECT_TRUE(report.bound_by_branching);
+}
+
+TEST(Check, SeesAnIndexThatNothingCanCover) {
+  const Problem problem = make_problem({2, 1}, {{{1, 1}, 1}, {{2, 0}, kInfinity}});
+  Solution solution;
+  solution.sizes = {2, 1};
+  solution.num_arcs = 1;
+  claim_infeasible(solution);
+  const CheckReport report = check(problem, solution);
+  EXPECT_THAT(report.faults, IsEmpty());
+  EXPECT_TRUE(report.bound_right);
+  EXPECT_FALSE(report.bound_by_branching);
+}
+
+TEST(Check, DeniesInfeasibilityWhereAllSingletonsAreFree) {
+  const Problem problem = make_problem({1, 1}, {{{1, 1}, -3}}, 2);
+  Solution solution = right_solution(problem, *support::brute_force(problem), {{-3}, {0}});
+  claim_infeasible(solution);
+  const CheckReport report = check(problem, solution);
+  EXPECT_THAT(report.faults, ElementsAre(HasSubstr("no singleton is forbidden")));
+  EXPECT_FALSE(report.bound_right);
+  EXPECT_FALSE(report.bound_by_branching);
+}
+
+TEST(Check, DeniesALimitWithoutASolutionWhereAllSingletonsAreFree) {
+  const Problem problem = make_problem({1, 1}, {{{1, 1}, -3}}, 2);
+  Solution solution = right_solution(problem, *support::brute_force(problem), {{-3}, {0}});
+  solution.solutions.clear();
+  solution.cost = kInfinity;
+  solution.status = Status::kTimeLimit;
+  EXPECT_THAT(check(problem, solution).faults, ElementsAre(HasSubstr("leaving all alone is one")));
+}
+
+// An arc that no solution needs, however dear, excuses no gap.
+TEST(Check, JudgesAGapByTheCostsThatWereChosen) {
+  const Problem problem = make_problem({2, 1}, {{{1, 1}, -3000}, {{2, 1}, 1e12}});
+  Solution solution = right_solution(problem, *support::brute_force(problem), {{-3000, 0}, {0}});
+  solution.status = Status::kOptimal;
+  solution.proven = solution.solutions[0].proven = true;
+  EXPECT_THAT(check(problem, solution).faults, IsEmpty());
+  solution.lower_bound -= 0.1;
+  EXPECT_THAT(check(problem, solution).faults, ElementsAre(HasSubstr("does not meet it")));
+}
+
+// Which gap was asked for is not in the file.
+TEST(Check, DoesNotJudgeTheGapThatWasReached) {
   const CheckReport report = report_after([](Solution& s) {
-    s.status = Status::kInfeasible;
-    s.solutions.clear();
-    s.cost = s.lower_bound = kInfinity;
-    s.multipliers.clear();
+    s.status = Status::kGapReached;
+    s.lower_bound = -1e9;
   });
   EXPECT_THAT(report.faults, IsEmpty());
-  EXPECT_TRUE(report.bound_by_branching) << "nobody can check it";
 }
 
 TEST(Check, TellsABoundThatRestsOnBranching) {
   const CheckReport report = report_after([](Solution& s) {
-    s.multipliers[0][0] = -7;
+    for (std::vector<double>& row : s.multipliers) std::fill(row.begin(), row.end(), 0.0);
+    s.stats.certificate_bound = 0;
     s.stats.bound_by_branching = true;
   });
   EXPECT_TRUE(report.passed());
   EXPECT_TRUE(report.bound_by_branching);
+  EXPECT_FALSE(report.bound_right) << "the multipliers do not prove it";
 }
 
 TEST(Check, LooksAtEverySolutionOfAList) {
@@ -251,35 +311,93 @@ INSTANTIATE_TEST_SUITE_P(
               "lower bound"}),
     [](const auto& tested) { return tested.param.name; });
 
-INSTANTIATE_TEST_SUITE_P(Claims,
-                         WrongSolutions,
-                         ::testing::Values(Wrong{"infeasible_with_a_solution",
-                                                 [](Solution& s) {
-                                                   s.status = Status::kInfeasible;
-                                                 },
-                                                 "infeasible"},
-                                           Wrong{"optimal_with_a_gap",
-                                                 [](Solution& s) {
-                                                   s.lower_bound -= 1;
-                                                   s.status = Status::kOptimal;
-                                                 },
-                                                 "optimal"},
-                                           Wrong{"proven_with_a_gap",
-                                                 [](Solution& s) {
-                                                   s.lower_bound -= 1;
-                                                   s.proven = true;
-                                                 },
-                                                 "proven"}),
-                         [](const auto& tested) { return tested.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Claims,
+    WrongSolutions,
+    ::testing::Values(
+        Wrong{"infeasible_with_a_solution",
+              [](Solution& s) { s.status = Status::kInfeasible; },
+              "status infeasible is stated, yet there is a solution"},
+        Wrong{"infeasible_with_a_bound",
+              [](Solution& s) {
+                claim_infeasible(s);
+                s.lower_bound = 5;
+              },
+              "yet the lower bound is 5"},
+        Wrong{"infeasible_without_a_reason",
+              [](Solution& s) {
+                claim_infeasible(s);
+                s.reason.clear();
+              },
+              "no reason is given"},
+        Wrong{"infeasible_and_proven",
+              [](Solution& s) {
+                claim_infeasible(s);
+                s.proven = true;
+              },
+              "a cost is stated to be proven"},
+        Wrong{"infeasible_with_a_certificate",
+              [](Solution& s) {
+                claim_infeasible(s);
+                s.stats.certificate_bound = 0;
+              },
+              "certificate 0 is stated"},
+        Wrong{"certificate_exaggerated",
+              [](Solution& s) { s.stats.certificate_bound = 1e9; },
+              "certificate 1000000000 is stated, the multipliers prove"},
+        Wrong{"optimal_with_a_gap",
+              [](Solution& s) {
+                s.lower_bound -= 1;
+                s.status = Status::kOptimal;
+              },
+              "status optimal is stated, yet the lower bound"},
+        Wrong{"proven_with_a_gap",
+              [](Solution& s) {
+                s.lower_bound -= 1;
+                s.proven = true;
+              },
+              "proven, yet the lower bound"},
+        Wrong{"optimal_but_not_proven",
+              [](Solution& s) { s.status = Status::kOptimal; },
+              "status optimal is stated, yet the cost is stated to be not proven"},
+        Wrong{"proven_after_a_limit",
+              [](Solution& s) { s.proven = s.solutions[0].proven = true; },
+              "status iteration_limit is stated, yet the cost is stated to be proven"},
+        Wrong{"only_the_first_proven",
+              [](Solution& s) { s.solutions[0].proven = true; },
+              "solution 1 is stated to be proven, the whole is not"},
+        Wrong{"only_the_whole_proven",
+              [](Solution& s) {
+                s.status = Status::kOptimal;
+                s.proven = true;
+              },
+              "solution 1 is stated to be not proven, yet the whole is"},
+        Wrong{"rank_of_another", [](Solution& s) { s.solutions[0].rank = 5; }, "has rank 5"},
+        Wrong{"better_solution_later",
+              [](Solution& s) {
+                s.solutions.insert(s.solutions.begin(), {1, 12, false, {{1, 1, 1}, {2, 1, 0}}});
+                s.solutions[1].rank = 2;
+                s.cost = 12;
+              },
+              "solution 2 is stated to cost less than the one before"},
+        Wrong{"gap_reached_without_a_solution",
+              [](Solution& s) {
+                s.status = Status::kGapReached;
+                s.solutions.clear();
+                s.cost = kInfinity;
+              },
+              "status gap_reached is stated without a solution"}),
+    [](const auto& tested) { return tested.param.name; });
 
 TEST(Check, AcceptsAProofToRounding) {
   EXPECT_TRUE(report_after([](Solution& s) {
                 s.status = Status::kOptimal;
-                s.proven = true;
+                s.proven = s.solutions[0].proven = true;
               }).passed());
   const Problem zero = make_problem({1, 1}, {{{1, 1}, 0}}, kInfinity);
   Solution solution = right_solution(zero, *support::brute_force(zero), {{1}, {-1}});
   solution.status = Status::kOptimal;
+  solution.proven = solution.solutions[0].proven = true;
   EXPECT_LT(solution.lower_bound, 0) << "rounded down";
   EXPECT_TRUE(check(zero, solution).passed());
 }

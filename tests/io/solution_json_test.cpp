@@ -174,6 +174,32 @@ TEST(SolutionJson, NamesTheFaultyField) {
   }
 }
 
+TEST(SolutionJson, NamesGapsThatDoNotFollowFromCostAndBound) {
+  Solution solution;
+  solution.cost = 30;
+  solution.lower_bound = 29.7;
+  const std::string text = solution_to_json(solution);
+  const auto error = [](const std::string& changed) {
+    return message_of([&] { solution_from_json(changed); });
+  };
+  const auto with_gaps = [&](const std::string& gap, const std::string& relative) {
+    std::string changed = text;
+    const std::size_t begin = changed.find("\"gap\"");
+    const std::size_t end = changed.find("\"solutions\"");
+    return changed.replace(
+        begin, end - begin, "\"gap\": " + gap + ", \"relative_gap\": " + relative + ", ");
+  };
+  EXPECT_NO_THROW(solution_from_json(with_gaps("0.3", "0.01")));
+  for (const char* wrong : {"0.31", "0", "\"inf\""}) {
+    EXPECT_EQ(error(with_gaps(wrong, "0.01")), "gap: does not follow from cost and lower_bound");
+    EXPECT_EQ(error(with_gaps("0.3", wrong)),
+              "relative_gap: does not follow from cost and lower_bound");
+  }
+  solution.cost = kInfinity;
+  EXPECT_EQ(error(replaced(solution_to_json(solution), "\"gap\": \"inf\"", "\"gap\": 7")),
+            "gap: does not follow from cost and lower_bound");
+}
+
 TEST(SolutionJson, NamesThePlaceOfASyntaxError) {
   const auto error = [](const std::string& text) {
     return message_of([&] { solution_from_json(text); });

@@ -121,6 +121,34 @@ TEST(Precision, IsLostWhereCostsOverflow) {
   EXPECT_THAT(check(problem, solution).faults, IsEmpty());
 }
 
+TEST(Precision, ThatCostsOverflowStillGivesTheSingletonsAndACertificate) {
+  for (const double cost : {1e101, -1e101}) {
+    const Problem problem = make_problem({1, 1}, {{{1, 1}, cost}, {{1, 0}, 2}, {{0, 1}, 3}});
+    const Solution solution = solve(problem);
+    EXPECT_EQ(solution.status, Status::kPrecisionLost);
+    EXPECT_EQ(solution.cost, 5);
+    EXPECT_EQ(solution.solutions.size(), 1u);
+    EXPECT_EQ(solution.lower_bound, certificate_bound(problem, {{0}, {0}}));
+    EXPECT_EQ(solution.stats.certificate_bound, solution.lower_bound);
+    EXPECT_THAT(check(problem, solution).faults, IsEmpty());
+  }
+  const Problem forbidden = make_problem({1, 1}, {{{1, 1}, 1e101}}, kInfinity);
+  const Solution none = solve(forbidden);
+  EXPECT_THAT(none.solutions, IsEmpty());
+  EXPECT_EQ(none.cost, kInfinity);
+  EXPECT_THAT(check(forbidden, none).faults, IsEmpty());
+}
+
+TEST(Precision, OfSubnormalCostsHolds) {
+  for (const double cost : {-1e-300, -1e-320}) {
+    const Problem problem = make_problem({1, 1}, {{{1, 1}, cost}});
+    const Solution solution = solve(problem);
+    EXPECT_LE(solution.lower_bound, cost);
+    EXPECT_LE(solution.stats.certificate_bound, cost);
+    EXPECT_THAT(check(problem, solution).faults, IsEmpty());
+  }
+}
+
 TEST(Precision, HoldsForCostsOfAnyOrdinarySize) {
   for (const double size : {1e-90, 1e-30, 1e-12, 1e12, 1e30, 1e90}) {
     SCOPED_TRACE(size);
