@@ -67,7 +67,7 @@ struct Progress {
 /// Everything that can be asked of a solve.  docs/options.md lists names, defaults and ranges.
 struct Options {
   Method method = Method::kAuto;
-  /// Seconds, > 0.  Obeyed to 5 ms, or 1 %, or 60 ns for every arc and index of the problem,
+  /// Seconds, > 0.  Obeyed to 5 ms, or 1 %, or 0.1 us for every arc and index of the problem,
   /// whichever is most: so much may the longest stretch between two looks at the clock take, or the
   /// certificate of the bound, which every answer carries (measured: bench/deadline.py).  A limit
   /// too short for anything else gives the singletons and the bound that they prove.  Requests to

@@ -24,10 +24,12 @@ class Monitor {
   void moved(double cost_change, double bound_change, const char* event);
   void component_done();
 
-  /// Tells the user that work goes on if nothing was told for kHeartbeatSeconds; cheap otherwise.
+  /// Tells the user that work goes on if nothing was told for kHeartbeatSeconds; cheap otherwise,
+  /// as only one call of kCallsPerLook looks at the clock.
   void heartbeat();
 
   static constexpr double kHeartbeatSeconds = 1;
+  static constexpr unsigned kCallsPerLook = 8;
 
  private:
   void tell(const char* event);
@@ -36,6 +38,7 @@ class Monitor {
   std::stop_source stop_;
   core::Stopwatch watch_;
   std::atomic<double> told_s_ = 0;
+  std::atomic<unsigned> asked_ = 0;
   std::mutex mutex_;
   std::size_t num_unbounded_ = 0;
   double bound_sum_ = 0;

@@ -79,8 +79,7 @@ TEST(Monitor, BeatsOnlyWhereNothingWasToldForLong) {
   monitor.heartbeat();
   EXPECT_THAT(seen, IsEmpty());
   std::this_thread::sleep_for(std::chrono::duration<double>(Monitor::kHeartbeatSeconds));
-  monitor.heartbeat();
-  monitor.heartbeat();
+  for (unsigned call = 0; call < 3 * Monitor::kCallsPerLook; ++call) monitor.heartbeat();
   ASSERT_EQ(seen.size(), 1u);
   EXPECT_STREQ(seen[0].event, "working");
   EXPECT_EQ(seen[0].cost, kInfinity) << "nothing is known yet";

@@ -130,7 +130,7 @@ TEST(Stopping, IsAsQuickAsALimit) {
     SCOPED_TRACE(num_dimensions);
     const Problem problem = large_problem(num_dimensions);
     const double allowed =
-        std::max(0.005, 6e-8 * static_cast<double>(problem.num_arcs() + problem.num_indices()));
+        std::max(0.005, 1e-7 * static_cast<double>(problem.num_arcs() + problem.num_indices()));
     for (const bool by_token : {false, true}) {
       SCOPED_TRACE(by_token);
       double least = kInfinity;
