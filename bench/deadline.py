@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """How far beyond its time limit does a solve go?
 
-    bench/deadline.py [--limits MS,...] [--long-limit MS] [--repeats N] [--csv FILE] [PATTERN...]
+    bench/deadline.py [--limits MS,...] [--long-limit MS] [--repeats N] [--core N] [--csv FILE] [PATTERN...]
 
 solves every file of data/, the larger ones of ../shared/data/arcs where they are, and generated problems of a million arcs with
 build/release/nda on one core, under every limit, and prints overshoot = solve_seconds - limit: the least and the median of the
