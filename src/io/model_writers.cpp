@@ -15,6 +15,9 @@
 // within the 100 characters of COIN's LP reader; where tuples are too long for that, columns are
 // numbered.
 //
+// The third word of an MPS file's first line, FREE, keeps COIN's reader from guessing the format
+// line by line, by the columns that words happen to start in.
+//
 // An index that nothing may use makes the problem infeasible, but an LP file cannot hold an empty
 // row: a column `never`, fixed at 0, stands in it.
 
@@ -203,7 +206,7 @@ void for_each_row(const Model& model, Write write) {
 
 void write_mps(const Problem& problem, TextWriter& out) {
   const Model model(problem);
-  out << "NAME nda\nROWS\n N cost\n";
+  out << "NAME nda FREE\nROWS\n N cost\n";
   for_each_row(model, [&](int k, Index i) {
     out << " E ";
     Model::write_row(out, k, i);

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
@@ -8,6 +10,7 @@
 
 #include "io/io_support.hpp"
 #include "nda/io.hpp"
+#include "nda/solve.hpp"
 #include "support/brute_force.hpp"
 #include "support/random_problems.hpp"
 
@@ -37,7 +40,7 @@ TEST(LpWriter, WritesOneColumnPerArcAndSingletonAndOneRowPerIndex) {
 
 TEST(MpsWriter, WritesTheSameModel) {
   EXPECT_EQ(text_of(small_problem(), FileFormat::kMps),
-            "NAME nda\nROWS\n N cost\n E c_1_1\n E c_1_2\n E c_2_1\n E c_2_2\n"
+            "NAME nda FREE\nROWS\n N cost\n E c_1_1\n E c_1_2\n E c_2_1\n E c_2_2\n"
             "COLUMNS\n M1 'MARKER' 'INTORG'\n"
             " x_1_1 cost -2.5\n x_1_1 c_1_1 1\n x_1_1 c_2_1 1\n"
             " x_2_0 cost 0 c_1_2 1\n x_0_1 cost 1e-07 c_2_1 1\n"
@@ -129,12 +132,58 @@ void expect_same_optima(const char* program,
   EXPECT_LT(num_infeasible, 20);
 }
 
+// Names of every length up to 100 characters (33 dimensions of size 99) and numbered columns, costs
+// of every length.  With few real indices an arc, a solution has many arcs.
+void expect_same_optima_in_every_shape(
+    const char* program, const std::function<std::optional<double>(const std::string&)>& solve) {
+  if (!is_installed(program)) GTEST_SKIP() << program << " is not installed";
+  const TemporaryFolder folder;
+  constexpr std::pair<std::size_t, Index> kShapes[] = {{2, 50},
+                                                       {3, 9},
+                                                       {4, 50},
+                                                       {5, 100},
+                                                       {6, 12},
+                                                       {9, 11},
+                                                       {16, 30},
+                                                       {33, 99},
+                                                       {40, 9},
+                                                       {49, 9},
+                                                       {50, 2},
+                                                       {64, 12}};
+  for (const auto& [dimensions, size] : kShapes) {
+    support::RandomProblemOptions options;
+    options.sizes.assign(dimensions, size);
+    options.num_arcs = 150;
+    options.dummy_share = 1 - 2.5 / static_cast<double>(dimensions + 1);
+    options.singletons = support::SingletonKind::kPriced;
+    options.sign = support::SignKind::kMixed;
+    const Problem problem = support::random_problem(dimensions, options);
+    const Solution ours = nda::solve(problem);
+    ASSERT_EQ(ours.status, Status::kOptimal);
+    for (const char* name : {"a.lp", "a.mps"}) {
+      SCOPED_TRACE(::testing::Message() << name << ", " << dimensions << " times " << size);
+      write_problem(problem, folder / name);
+      const std::optional<double> theirs = solve(folder / name);
+      ASSERT_TRUE(theirs);
+      EXPECT_NEAR(*theirs, ours.cost, 1e-6 * std::max(1.0, std::abs(ours.cost)));
+    }
+  }
+}
+
 TEST(ModelWriters, GiveCbcTheSameOptimumAsEnumeration) {
   expect_same_optima("cbc", solved_by_cbc);
 }
 
+TEST(ModelWriters, GiveCbcTheSameOptimumInEveryShape) {
+  expect_same_optima_in_every_shape("cbc", solved_by_cbc);
+}
+
 TEST(ModelWriters, GiveGlpsolTheSameOptimumAsEnumeration) {
   expect_same_optima("glpsol", solved_by_glpsol);
+}
+
+TEST(ModelWriters, GiveGlpsolTheSameOptimumInEveryShape) {
+  expect_same_optima_in_every_shape("glpsol", solved_by_glpsol);
 }
 
 }  // namespace
