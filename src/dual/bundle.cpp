@@ -24,6 +24,9 @@ ConstVector as_vector(std::span<const double> v) {
 // Numbers that stay in the first-level cache while all columns are added up.
 constexpr std::size_t kChunk = 1024;
 
+// Planes this far above the others have no part in any solution; more would overflow in sums.
+constexpr double kMostLinear = 1e300;
+
 }  // namespace
 
 Bundle::Bundle(std::size_t num_variables, std::size_t capacity, std::size_t evaluations)
@@ -120,10 +123,11 @@ void Bundle::move_centre(double increase) {
   error_ = std::max(0.0, error_ + step_ * norm2_ - increase);
 }
 
-void Bundle::solve(double t) {
+bool Bundle::solve(double t) {
   step_ = t;
-  for (std::size_t i = 0; i < size_; ++i) linear_[i] = errors_[i] / t;
-  qp_.solve({size_, gram_, capacity_, linear_}, {weights_.data(), size_});
+  for (std::size_t i = 0; i < size_; ++i) linear_[i] = std::min(errors_[i] / t, kMostLinear);
+  const SimplexQpResult result =
+      qp_.solve({size_, gram_, capacity_, linear_}, {weights_.data(), size_});
   combine();
   norm2_ = as_vector(column(aggregate_)).squaredNorm();
   error_ = 0;
@@ -133,6 +137,7 @@ void Bundle::solve(double t) {
     slopes_[i] = 0;
     for (std::size_t j = 0; j < size_; ++j) slopes_[i] += weights_[j] * gram(i, j);
   }
+  return result.converged;
 }
 
 // aggregate = sum of weights_[i] g[i], one chunk of rows after the other.

@@ -46,8 +46,9 @@ class Bundle {
   /// The centre moves to c + d of the last solve, where q is larger by `increase`.
   void move_centre(double increase);
 
-  /// Solves the master problem with step parameter t > 0.
-  void solve(double t);
+  /// Solves the master problem with step parameter t > 0; false if what it found is feasible, but
+  /// perhaps not the solution (SimplexQpResult::converged).
+  bool solve(double t);
 
   double step() const { return step_; }              ///< t of the last solve
   double aggregate_norm2() const { return norm2_; }  ///< |aggregate|^2

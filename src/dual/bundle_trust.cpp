@@ -39,6 +39,9 @@
 //   increase that is worth a trial.
 // - It also ends when a null step leaves the master's value as it was: then rounding hides the new
 //   plane, and no further trial at this t can be different.
+// - t stays between the smallest normal number and 1e200, however small or large q is, and t grows
+//   without an evaluation only while the master can be solved and its numbers are finite.  So it
+//   ends for functions whose values or subgradients vanish or overflow, too, if with a poor bound.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -61,6 +64,7 @@ constexpr double kShrinkage = 0.5;      // afterwards
 constexpr double kFall = 0.3;           // part of v
 constexpr double kRunGrowth = 1.2;
 constexpr int kRun = 2;  // serious steps
+constexpr double kLeastStep = std::numeric_limits<double>::min();
 constexpr double kMostStep = 1e200;
 /// Added to the error of a plane, relative to its terms, so that the plane stays above q.
 constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
@@ -140,6 +144,7 @@ void BundleTrust::evaluate_start() {
   } else if (norm2 > 0) {
     step_ = recorder_.expected_increase() / norm2;
   }
+  step_ = std::clamp(step_, kLeastStep, kMostStep);
   radius_ = recorder_.expected_distance();
   recorder_.report(centre_, centre_value_, true);
 }
@@ -156,12 +161,13 @@ bool BundleTrust::stalled() const {
 // Solves the master for the next trial; false if there is none worth an evaluation.
 bool BundleTrust::find_trial() {
   for (;;) {
-    bundle_.solve(step_);
+    const bool solved = bundle_.solve(step_);
     if (proved() || stalled()) return false;
     null_value_ = bundle_.master_value();
     const double predicted = bundle_.predicted_increase();
+    if (!std::isfinite(predicted)) return false;
     if (predicted > 0 && predicted > recorder_.tolerance()) return true;
-    if (step_ > kMostStep) return false;
+    if (!solved || step_ > kMostStep) return false;
     step_ *= kMostGrowth;
     null_steps_ = 0;
   }
@@ -203,8 +209,9 @@ void BundleTrust::reject(double increase, double error, double predicted) {
   } else if (!improves_model(increase, error, predicted)) {
     factor = kShrinkage;
   }
-  if (factor == 1) return;
-  step_ *= factor;
+  const double step = std::max(kLeastStep, factor * step_);
+  if (step == step_) return;
+  step_ = step;
   null_steps_ = 0;
 }
 

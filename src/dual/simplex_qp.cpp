@@ -33,6 +33,8 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kFlat = 1e-13;
 /// Reduced gradients above -kOptimal * (size of their terms) count as nonnegative.
 constexpr double kOptimal = 32 * kEpsilon;
+/// Weights whose sum is farther from 1 come from overflow or underflow.
+constexpr double kSumError = 1e-9;
 
 }  // namespace
 
@@ -57,6 +59,9 @@ class ActiveSetQp::Solver {
   void move(double step);
   void update_gradient();
   std::size_t most_negative() const;
+  bool is_feasible() const;
+  bool is_finite() const;
+  std::size_t best_vertex() const;
   void solve_lower(std::span<double> x) const;
   void solve_upper(std::span<double> x) const;
 
@@ -169,7 +174,7 @@ void ActiveSetQp::Solver::restore_triangle(std::size_t position) {
   }
 }
 
-void ActiveSetQp::Solver::start_from_best_vertex() {
+std::size_t ActiveSetQp::Solver::best_vertex() const {
   std::size_t best = 0;
   double best_value = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < problem_.size; ++i) {
@@ -179,8 +184,19 @@ void ActiveSetQp::Solver::start_from_best_vertex() {
       best = i;
     }
   }
-  append(best);
+  return best;
+}
+
+void ActiveSetQp::Solver::start_from_best_vertex() {
+  append(best_vertex());
   value_[0] = 1;
+}
+
+// False where entries that overflow or vanish left no weights that make sense.
+bool ActiveSetQp::Solver::is_feasible() const {
+  double sum = 0;
+  for (std::size_t i = 0; i < support_.size(); ++i) sum += value_[i];
+  return std::abs(sum - 1) <= kSumError && std::isfinite(multiplier_);
 }
 
 void ActiveSetQp::Solver::take_guess(std::span<const double> weights) {
@@ -315,6 +331,12 @@ std::size_t ActiveSetQp::Solver::most_negative() const {
   return best;
 }
 
+bool ActiveSetQp::Solver::is_finite() const {
+  return std::all_of(terms_.begin(),
+                     terms_.begin() + static_cast<std::ptrdiff_t>(problem_.size),
+                     [](double term) { return std::isfinite(term); });
+}
+
 SimplexQpResult ActiveSetQp::Solver::solve(const SimplexQpProblem& problem,
                                            std::span<double> weights) {
   problem_ = problem;
@@ -334,7 +356,14 @@ SimplexQpResult ActiveSetQp::Solver::solve(const SimplexQpProblem& problem,
     update_gradient();
     if (!entered) break;
   }
+  // Against terms that overflow every gradient is small.
+  result.converged = result.converged && is_finite();
   std::fill(weights.begin(), weights.end(), 0.0);
+  if (!is_feasible()) {
+    const std::size_t vertex = best_vertex();
+    weights[vertex] = 1;
+    return {problem.gram_at(vertex, vertex) + problem.linear[vertex], result.iterations, false};
+  }
   for (std::size_t i = 0; i < support_.size(); ++i) weights[support_[i]] = std::max(0.0, value_[i]);
   result.multiplier = multiplier_;
   return result;

@@ -98,6 +98,24 @@ TEST(Bundle, KeepsTheModelAtTheTrialWhenItCompresses) {
   }
 }
 
+TEST(Bundle, TellsWhetherTheMasterWasSolved) {
+  Bundle bundle(1, 4, 0);
+  insert(bundle, {1}, 0);
+  EXPECT_TRUE(bundle.solve(1));
+  insert(bundle, {-1e200}, 0);
+  EXPECT_FALSE(bundle.solve(1)) << "its square overflows";
+}
+
+// Errors relative to a step as small as a step can be.
+TEST(Bundle, SolvesWhereErrorsAreHugeAgainstTheStep) {
+  Bundle bundle(1, 4, 0);
+  insert(bundle, {1}, 0);
+  insert(bundle, {-1}, 1e10);
+  EXPECT_TRUE(bundle.solve(1e-305));
+  EXPECT_EQ(bundle.aggregate()[0], 1);
+  EXPECT_EQ(bundle.aggregate_error(), 0);
+}
+
 // The Gram matrix after many replacements is still that of the subgradients kept: the aggregate's
 // norm from the matrix agrees with that of the vector (both are used), seen through the optimum
 // conditions of the master: no plane kept lies below the predicted increase at d.

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/random.hpp"
 #include "dual/maximize.hpp"
+#include "nda/types.hpp"
 #include "support/concave_fakes.hpp"
 #include "support/nonsmooth_functions.hpp"
 #include "support/planted_duals.hpp"
@@ -63,6 +65,59 @@ TEST(BundleTrust, RecoversFromAHugeStep) {
     const MaximizeResult result = maximize_bundle_trust(packing, zeros(packing), options);
     EXPECT_NEAR(result.value, packing.maximum(), 1e-5 * std::abs(packing.maximum()));
   }
+}
+
+// Planes of every size a number can have, repeated ones and flat ones among them.
+Planes planes_of_any_size(core::Random& random) {
+  constexpr double kSizes[] = {0, 5e-324, 1e-310, 1e-160, 1e-100, 1, 1e100, 1e153, 1e200, 1e300};
+  const auto num_planes = static_cast<std::size_t>(1 + random.below(8));
+  const auto num_variables = static_cast<std::size_t>(1 + random.below(4));
+  const auto fixed = random.below(11);
+  const auto draw = [&](std::uint64_t kind) {
+    return kSizes[kind < 10 ? kind : random.below(10)] *
+           (static_cast<double>(random.below(5)) - 2) / 2;
+  };
+  const auto slope_kind = random.below(11);
+  std::vector<double> constants(num_planes);
+  std::vector<std::vector<double>> slopes(num_planes, std::vector<double>(num_variables));
+  for (std::size_t i = 0; i < num_planes; ++i) {
+    constants[i] = draw(fixed);
+    for (double& slope : slopes[i]) slope = draw(slope_kind);
+    if (i > 0 && random.below(3) == 0) slopes[i] = slopes[random.below(i)];
+  }
+  return {constants, slopes};
+}
+
+TEST(BundleTrust, EndsWhateverTheSizeOfTheFunction) {
+  for (std::uint64_t seed = 0; seed < 4000; ++seed) {
+    SCOPED_TRACE(seed);
+    core::Random random(seed);
+    Planes planes = planes_of_any_size(random);
+    MaximizeOptions options;
+    options.max_evaluations = 60;
+    options.relative_tolerance = random.below(2) == 0 ? 0 : 1e-7;
+    const std::vector<double> start = zeros(planes);
+    std::vector<double> subgradient(start.size());
+    const double first = planes.evaluate(start, subgradient);
+    try {
+      const MaximizeResult result = maximize_bundle_trust(planes, start, options);
+      EXPECT_LE(result.evaluations, 60);
+      EXPECT_GE(result.value, first);
+    } catch (const InputError&) {
+      // An unbounded function overflows on the way up.
+    }
+    if (HasFailure()) return;
+  }
+}
+
+// The first step, the value over the square of the slope, underflows to 0: no factor makes it grow.
+TEST(BundleTrust, EndsWhereTheValueIsTheSmallestNumber) {
+  Planes planes({-5e-324, 5e-324}, {{1.5}, {-1.5}});
+  MaximizeOptions options;
+  options.max_evaluations = 50;
+  const MaximizeResult result = maximize_bundle_trust(planes, zeros(planes), options);
+  EXPECT_LE(result.evaluations, 50);
+  EXPECT_GE(result.value, -5e-324);
 }
 
 // q = -|x| - |y - 1000| / 1000: a steep ridge along y that t, once small for x, must outgrow.

@@ -277,6 +277,43 @@ TEST(ActiveSetQp, ResolvesNeighboursBesideASteepSubgradient) {
   }
 }
 
+// Entries of 0, near the smallest and near the largest number, mixed or all alike, columns
+// repeated, guesses good for nothing: the limit of changes holds and the weights are those of a
+// point.
+TEST(ActiveSetQp, EndsAtAFeasiblePointWhateverTheEntries) {
+  constexpr double kSizes[] = {0, 5e-324, 1e-310, 1e-160, 1e-100, 1, 1e100, 1e154, 1e200, 1e308};
+  ActiveSetQp solver;
+  for (std::uint64_t seed = 0; seed < 4000; ++seed) {
+    SCOPED_TRACE(seed);
+    core::Random random(seed);
+    const auto n = static_cast<std::size_t>(1 + random.below(20));
+    const auto size = [&, fixed = random.below(11)] {
+      return kSizes[fixed < 10 ? fixed : random.below(10)];
+    };
+    Program p = random_program(n, 1 + static_cast<std::size_t>(random.below(6)), true, random);
+    std::vector<double> factors(n);
+    for (double& factor : factors) factor = size();
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < n; ++j) p.gram[i * n + j] *= factors[i] * factors[j];
+      p.linear[i] *= size();
+    }
+    std::vector<double> weights(n);
+    for (double& weight : weights) weight = random.below(2) == 0 ? 0 : size();
+    const SimplexQpResult result = solver.solve(p.view(), weights);
+    EXPECT_LE(result.iterations, 10 * static_cast<int>(n) + 50);
+    EXPECT_NEAR(std::accumulate(weights.begin(), weights.end(), 0.0), 1, 1e-8);
+    for (const double weight : weights) EXPECT_GE(weight, 0);
+    if (HasFailure()) return;
+  }
+}
+
+TEST(ActiveSetQp, SaysThatItDidNotSolveWhatOverflows) {
+  const Program p = from_columns({{1e200}, {-1e200}}, {0, 0});
+  std::vector<double> weights(2, 0.5);
+  EXPECT_FALSE(ActiveSetQp().solve(p.view(), weights).converged);
+  EXPECT_EQ(weights[0] + weights[1], 1);
+}
+
 TEST(ActiveSetQp, ReadsAMatrixWithAStride) {
   const std::vector<double> gram = {1, -1, 99, -1, 1, 99};
   const std::vector<double> linear = {0, 0.5};

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <thread>
 
 #include "core/clock.hpp"
@@ -88,6 +89,33 @@ TEST(TimeLimit, OfNoTimeStillGivesABoundAndTheSingletons) {
   EXPECT_EQ(solution.status, Status::kTimeLimit);
   expect_usable(hard_problem(), solution);
   ASSERT_EQ(solution.solutions.size(), 1u);
+}
+
+// Costs that are small multiples of the smallest number: steps of the dual method underflow.
+TEST(TimeLimit, IsNotNeededWhereCostsAreNextToNothing) {
+  constexpr double kLeast = std::numeric_limits<double>::denorm_min();
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    core::Random random(seed);
+    ProblemBuilder builder({3, 2, 2, 3, 2});
+    for (int a = 0; a < 26; ++a) {
+      std::vector<Index> tuple;
+      for (const Index size : {3, 2, 2, 3, 2}) {
+        tuple.push_back(static_cast<Index>(random.below(size + 1)));
+      }
+      if (std::all_of(tuple.begin(), tuple.end(), [](Index i) { return i == 0; })) continue;
+      builder.add_arc(tuple, kLeast * (static_cast<double>(random.below(7)) - 3));
+    }
+    const Problem problem = std::move(builder).build();
+    for (const std::size_t exact_arcs : {0, 128}) {
+      Options options;
+      options.branch.exact_arcs = exact_arcs;
+      options.branch.max_nodes = 1000;
+      const Solution solution = solve(problem, options);
+      EXPECT_THAT(check(problem, solution).faults, IsEmpty());
+      EXPECT_LE(solution.lower_bound, solution.cost);
+    }
+  }
 }
 
 TEST(TimeLimit, GivesNoSolutionWhereNoneWasFound) {
