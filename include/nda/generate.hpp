@@ -10,8 +10,11 @@
 
 // The benchmark families (docs/families.md defines each).  The same options give the same problem
 // on every platform: integer random numbers, no library logarithm, costs rounded to six decimals
-// (so that 10^6 times a cost is an integer).  Every function throws InputError naming an option out
-// of range.
+// (so that 10^6 times a cost is an integer).
+//
+// Every function throws InputError naming an option out of range, before any work: no dimension has
+// more than 10^8 / N indices, no problem more than 10^9 / N arcs (N its dimensions; what becomes of
+// the tracking options is known only on the way).
 
 namespace nda {
 
@@ -38,7 +41,7 @@ Instance generate_poore_sparse(const PooreSparseOptions& options = {});
 
 /// `poore-5.3`: a share of all tuples with two or more real indices (dummies included), exactly
 /// counted; costs and singletons uniform in [1, 100].  Source: AFOSR report 1995, section 5,
-/// figure 5.3. O(product of (M_k + 1)), which must be below 2^32.
+/// figure 5.3. O(product of (M_k + 1)), which must be below 2^30.
 struct PooreDenseOptions {
   int dimensions = 4;
   Index min_size = 7;  ///< M_k is uniform in min_size..max_size, at least 1
@@ -49,11 +52,11 @@ struct PooreDenseOptions {
 Instance generate_poore_dense(const PooreDenseOptions& options = {});
 
 /// `map3`: the dense axial assignment problem: all size^dimensions tuples of real indices, integer
-/// costs uniform in min_cost..max_cost, singletons forbidden.  size^dimensions must be below 2^32.
+/// costs uniform in min_cost..max_cost, singletons forbidden.  size^dimensions must be below 2^30.
 struct Map3Options {
   int dimensions = 3;
-  Index size = 10;  ///< at least 1
-  int min_cost = 0;
+  Index size = 10;   ///< at least 1
+  int min_cost = 0;  ///< costs in [-10^9, 10^9]
   int max_cost = 100;
   std::uint64_t seed = 1;
 };
@@ -75,7 +78,7 @@ struct PlantedOptions {
   std::size_t arcs = 20000;    ///< draws besides the planted ones; repeated tuples make it fewer
   double miss_rate = 0.1;      ///< share of dummies in an arc, in [0, 0.9]
   Index spread = 10;           ///< indices of an arc lie within so many of each other; 0 = anywhere
-  double max_multiplier = 10;  ///< size of the multipliers, in (0, 1000]
+  double max_multiplier = 10;  ///< size of the multipliers, in [1e-6, 1000]
   double max_slack = 5;        ///< reduced costs are uniform in [0, max_slack], in [0, 1000]
   PlantedSingletons singletons = PlantedSingletons::kFree;
   std::uint64_t seed = 1;
@@ -92,7 +95,7 @@ struct GadgetsOptions {
   int gadgets = 100;         ///< at least 1
   Index size = 2;            ///< M_k of each gadget, 1..8
   int arcs_per_gadget = 10;  ///< 3..14
-  int max_cost = 100;        ///< costs are uniform in -max_cost..-1
+  int max_cost = 100;        ///< costs are uniform in -max_cost..-1, 1..10^6
   std::uint64_t seed = 1;
 };
 Instance generate_gadgets(const GadgetsOptions& options = {});
@@ -101,17 +104,21 @@ Instance generate_gadgets(const GadgetsOptions& options = {});
 /// scans with noise, misses and Poisson clutter; the arcs are the gated track hypotheses with their
 /// negative log likelihood ratio against false alarms (docs/families.md gives the formulas).  Time
 /// unit: one scan. Singletons are free.  Detections of a scan are numbered by x.
+///
+/// Lengths and speeds are at most 10^9, scans * (targets + clutter) at most 10^7, and max_misses
+/// must allow at most 10^5 patterns of misses in so many scans.  Throws InputError too where more
+/// than 2 * 10^6 hypotheses start with one detection.
 struct TrackingOptions {
   int scans = 4;                       ///< N
   int targets = 20;                    ///< all there in every scan; >= 1
-  double side = 600;                   ///< L, side of the square; > 0
-  double clutter = 10;                 ///< expected false alarms per scan; > 0
-  double detection_probability = 0.9;  ///< in (0, 1)
-  double noise = 10;                   ///< sigma of a measured coordinate; > 0
-  double max_speed = 40;               ///< velocities are uniform in a disc of this radius; > 0
-  double process_noise = 1;            ///< spectral density q of the filter; >= 0
-  double gate_probability = 0.999;     ///< in (0, 1)
-  int max_misses = 2;                  ///< in a row; >= 0
+  double side = 600;                   ///< L, side of the square; >= 1e-6
+  double clutter = 10;                 ///< expected false alarms per scan; >= 1e-6
+  double detection_probability = 0.9;  ///< in [1e-6, 0.999999]
+  double noise = 10;                   ///< sigma of a measured coordinate; >= 1e-6
+  double max_speed = 40;               ///< velocities are uniform in a disc of this radius; >= 0
+  double process_noise = 1;            ///< spectral density q of the filter; in [0, 10^9]
+  double gate_probability = 0.999;     ///< in [1e-6, 0.999999]
+  int max_misses = 2;                  ///< in a row; 0..64
   int group_size = 0;                  ///< targets per group; 0 = no groups
   double group_spread = 20;            ///< standard deviation of a member's position at mid-window
   double velocity_spread = 15;         ///< standard deviation of a member's velocity

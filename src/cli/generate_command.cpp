@@ -4,10 +4,12 @@
 #include <memory>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "cli/checks.hpp"
 #include "cli/commands.hpp"
+#include "generate/option_tables.hpp"
 #include "nda/generate.hpp"
 #include "nda/io.hpp"
 
@@ -29,101 +31,51 @@ CLI::App* add_family(CLI::App& parent, const char* name, const char* summary, co
 
 // CLI11 would take -1 for the largest unsigned number.
 template <typename T>
-CLI::Option* add_option(CLI::App* parser, const char* flag, T& value, const char* help) {
-  CLI::Option* option = parser->add_option(flag, value, help);
+CLI::Option* add_option(CLI::App* parser, const std::string& flag, T& value, std::string help) {
+  CLI::Option* option = parser->add_option(flag, value, std::move(help));
   if (std::is_unsigned_v<T>) option->check(at_least(0));
   return option;
 }
 
-template <typename T>
-void add(CLI::App* parser, const char* flag, T& value, const char* help) {
-  add_option(parser, flag, value, help)->capture_default_str();
+// The option of a row of generate::OptionTable, without its default.
+template <typename Row, typename Options>
+CLI::Option* add_row(CLI::App* parser, const Row& row, Options& options) {
+  return add_option(parser,
+                    generate::flag_of(row.name),
+                    options.*row.field,
+                    std::string(row.help) + "; in [" + generate::shortest(row.least) + ", " +
+                        generate::shortest(row.most) + "]");
 }
 
 Family finish(CLI::App* parser, std::uint64_t& seed, std::function<Instance()> generate) {
   const auto output = std::make_shared<std::string>("-");
-  add(parser, "--seed", seed, "the same seed gives the same file");
+  add_option(parser, "--seed", seed, "the same seed gives the same file")->capture_default_str();
   parser
       ->add_option("-o,--output", *output, "file to write, .nda or .nda.gz; '-' is standard output")
       ->capture_default_str();
   return {parser, output, std::move(generate)};
 }
 
-Family declare_poore_sparse(CLI::App& parent) {
-  const auto options = std::make_shared<PooreSparseOptions>();
-  CLI::App* parser = add_family(parent,
-                                "poore-5.1",
-                                "random arcs, costs in [-100, -1]",
-                                "nda generate poore-5.1 --arcs 20000 --seed 7 -o random.nda.gz");
-  add(parser, "--dimensions", options->dimensions, "N");
-  add(parser, "--min-size", options->min_size, "least M_k");
-  add(parser, "--max-size", options->max_size, "largest M_k");
-  add(parser, "--arcs", options->arcs, "number of arcs");
-  return finish(parser, options->seed, [options] { return generate_poore_sparse(*options); });
-}
-
-Family declare_poore_dense(CLI::App& parent) {
-  const auto options = std::make_shared<PooreDenseOptions>();
-  CLI::App* parser = add_family(parent,
-                                "poore-5.3",
-                                "a share of all tuples, costs in [1, 100]",
-                                "nda generate poore-5.3 --min-size 5 --max-size 9 -o random.nda");
-  add(parser, "--dimensions", options->dimensions, "N");
-  add(parser, "--min-size", options->min_size, "least M_k");
-  add(parser, "--max-size", options->max_size, "largest M_k");
-  add(parser, "--share", options->share, "share of the tuples that are arcs");
-  return finish(parser, options->seed, [options] { return generate_poore_dense(*options); });
-}
-
-Family declare_map3(CLI::App& parent) {
-  const auto options = std::make_shared<Map3Options>();
-  CLI::App* parser = add_family(parent,
-                                "map3",
-                                "dense, integer costs, everything must be covered",
-                                "nda generate map3 --size 20 --max-cost 1000 -o cube.nda.gz");
-  add(parser, "--dimensions", options->dimensions, "N");
-  add(parser, "--size", options->size, "M_k of every dimension");
-  add(parser, "--min-cost", options->min_cost, "least cost");
-  add(parser, "--max-cost", options->max_cost, "largest cost");
-  return finish(parser, options->seed, [options] { return generate_map3(*options); });
-}
-
-Family declare_planted(CLI::App& parent) {
-  const auto options = std::make_shared<PlantedOptions>();
-  CLI::App* parser =
-      add_family(parent,
-                 "planted",
-                 "optimum known at any size, no gap",
-                 "nda generate planted --size 10000 --arcs 1000000 -o planted.nda.gz");
-  add(parser, "--dimensions", options->dimensions, "N");
-  add(parser, "--size", options->size, "M_k of every dimension");
-  add(parser, "--arcs", options->arcs, "arcs besides the planted ones");
-  add(parser, "--miss-rate", options->miss_rate, "share of dummies in an arc");
-  add(parser, "--spread", options->spread, "how far apart the indices of an arc lie; 0 = anywhere");
-  add(parser, "--max-multiplier", options->max_multiplier, "size of the multipliers");
-  add(parser, "--max-slack", options->max_slack, "largest reduced cost");
+void add_singletons(CLI::App* parser, PlantedSingletons& singletons) {
   static const std::map<std::string, PlantedSingletons> kKinds = {
       {"free", PlantedSingletons::kFree},
       {"priced", PlantedSingletons::kPriced},
       {"forbidden", PlantedSingletons::kForbidden}};
-  parser->add_option("--singletons", options->singletons, "free, priced or forbidden")
+  parser->add_option("--singletons", singletons, "free, priced or forbidden")
       ->transform(CLI::CheckedTransformer(kKinds))
       ->default_str("free");
-  return finish(parser, options->seed, [options] { return generate_planted(*options); });
 }
 
-Family declare_gadgets(CLI::App& parent) {
-  const auto options = std::make_shared<GadgetsOptions>();
-  CLI::App* parser = add_family(parent,
-                                "gadgets",
-                                "optimum known, with an integrality gap",
-                                "nda generate gadgets --gadgets 1000 -o gadgets.nda");
-  add(parser, "--dimensions", options->dimensions, "N");
-  add(parser, "--gadgets", options->gadgets, "number of components");
-  add(parser, "--size", options->size, "M_k of a gadget");
-  add(parser, "--arcs-per-gadget", options->arcs_per_gadget, "draws of arcs in a gadget");
-  add(parser, "--max-cost", options->max_cost, "costs are in -max-cost..-1");
-  return finish(parser, options->seed, [options] { return generate_gadgets(*options); });
+template <typename Options>
+Family declare_family(CLI::App* parser, Instance (*generate)(const Options&)) {
+  const auto options = std::make_shared<Options>();
+  generate::for_each_row(generate::OptionTable<Options>::kRows, [&](const auto& row) {
+    add_row(parser, row, *options)->capture_default_str();
+  });
+  if constexpr (std::is_same_v<Options, PlantedOptions>) {
+    add_singletons(parser, options->singletons);
+  }
+  return finish(parser, options->seed, [options, generate] { return generate(*options); });
 }
 
 // Options of the tracking families: those given override the preset's.
@@ -139,51 +91,26 @@ struct TrackingArguments {
     return options;
   }
 
-  template <typename T>
-  void add(CLI::App* parser, const char* flag, T TrackingOptions::*field, const char* help) {
-    const CLI::Option* option = add_option(parser, flag, given.*field, help);
-    overrides.push_back([this, option, field](TrackingOptions& options) {
+  template <typename Row>
+  void add(CLI::App* parser, const Row& row) {
+    const CLI::Option* option = add_row(parser, row, given);
+    overrides.push_back([this, option, field = row.field](TrackingOptions& options) {
       if (option->count() > 0) options.*field = given.*field;
     });
   }
 };
 
-void add_scenario_options(CLI::App* parser, TrackingArguments& arguments) {
-  arguments.add(parser, "--scans", &TrackingOptions::scans, "N");
-  arguments.add(parser, "--targets", &TrackingOptions::targets, "number of targets");
-  arguments.add(parser, "--side", &TrackingOptions::side, "side of the square");
-  arguments.add(parser, "--clutter", &TrackingOptions::clutter, "false alarms per scan, expected");
-  arguments.add(parser,
-                "--detection-probability",
-                &TrackingOptions::detection_probability,
-                "of a target in a scan");
-  arguments.add(parser, "--noise", &TrackingOptions::noise, "sigma of a coordinate");
-  arguments.add(parser, "--max-speed", &TrackingOptions::max_speed, "per scan");
-  arguments.add(parser, "--process-noise", &TrackingOptions::process_noise, "q of the filter");
-  arguments.add(parser, "--gate-probability", &TrackingOptions::gate_probability, "of a gate");
-  arguments.add(parser, "--max-misses", &TrackingOptions::max_misses, "in a row");
-  arguments.add(
-      parser, "--cap", &TrackingOptions::cap, "hypotheses per starting detection; 0 = all");
-  arguments.add(
-      parser, "--group-size", &TrackingOptions::group_size, "targets per group; 0 = none");
-  arguments.add(parser, "--group-spread", &TrackingOptions::group_spread, "sigma within a group");
-  arguments.add(parser, "--velocity-spread", &TrackingOptions::velocity_spread, "sigma in a group");
-}
-
-Family declare_tracking(CLI::App& parent,
-                        const char* name,
-                        const char* summary,
-                        const char* preset,
-                        const char* example) {
+Family declare_tracking(CLI::App* parser, const char* preset) {
   const auto arguments = std::make_shared<TrackingArguments>();
   arguments->preset = preset;
-  CLI::App* parser = add_family(parent, name, summary, example);
-  add(parser,
-      "--preset",
-      arguments->preset,
-      "small, medium, large, largesparse, huge, hard6, hard7, hard8, largegroup, six-scan; "
-      "what is given besides overrides it");
-  add_scenario_options(parser, *arguments);
+  parser
+      ->add_option("--preset",
+                   arguments->preset,
+                   "small, medium, large, largesparse, huge, hard6, hard7, hard8, largegroup, "
+                   "six-scan; what is given besides overrides it")
+      ->capture_default_str();
+  generate::for_each_row(generate::OptionTable<TrackingOptions>::kRows,
+                         [&](const auto& row) { arguments->add(parser, row); });
   return finish(parser, arguments->given.seed, [arguments] {
     return generate_tracking(arguments->resolve());
   });
@@ -208,27 +135,42 @@ Action declare_generate(CLI::App& parser) {
       "\n"
       "Example: 20 targets in 5 scans\n"
       "  nda generate tracking --scans 5 --targets 20 --seed 3 -o window.nda");
+  const auto named = [&parser](const char* name, const char* summary, const char* example) {
+    return add_family(parser, name, summary, example);
+  };
   const std::vector<Family> families = {
-      declare_poore_sparse(parser),
-      declare_poore_dense(parser),
-      declare_tracking(parser,
-                       "tracking",
-                       "targets, noise, misses and clutter",
-                       "small",
-                       "nda generate tracking --preset medium --seed 2 -o medium.nda.gz"),
-      declare_tracking(parser,
-                       "groups",
-                       "the same with targets in tight groups",
-                       "hard6",
-                       "nda generate groups --preset hard8 --seed 1 -o hard8.nda.gz"),
-      declare_tracking(parser,
-                       "six-scan",
-                       "one hard problem of six scans",
-                       "six-scan",
-                       "nda generate six-scan --seed 1 -o six.nda.gz"),
-      declare_map3(parser),
-      declare_planted(parser),
-      declare_gadgets(parser),
+      declare_family(named("poore-5.1",
+                           "random arcs, costs in [-100, -1]",
+                           "nda generate poore-5.1 --arcs 20000 --seed 7 -o random.nda.gz"),
+                     generate_poore_sparse),
+      declare_family(named("poore-5.3",
+                           "a share of all tuples, costs in [1, 100]",
+                           "nda generate poore-5.3 --min-size 5 --max-size 9 -o random.nda"),
+                     generate_poore_dense),
+      declare_tracking(named("tracking",
+                             "targets, noise, misses and clutter",
+                             "nda generate tracking --preset medium --seed 2 -o medium.nda.gz"),
+                       "small"),
+      declare_tracking(named("groups",
+                             "the same with targets in tight groups",
+                             "nda generate groups --preset hard8 --seed 1 -o hard8.nda.gz"),
+                       "hard6"),
+      declare_tracking(named("six-scan",
+                             "one hard problem of six scans",
+                             "nda generate six-scan --seed 1 -o six.nda.gz"),
+                       "six-scan"),
+      declare_family(named("map3",
+                           "dense, integer costs, everything must be covered",
+                           "nda generate map3 --size 20 --max-cost 1000 -o cube.nda.gz"),
+                     generate_map3),
+      declare_family(named("planted",
+                           "optimum known at any size, no gap",
+                           "nda generate planted --size 10000 --arcs 1000000 -o planted.nda.gz"),
+                     generate_planted),
+      declare_family(named("gadgets",
+                           "optimum known, with an integrality gap",
+                           "nda generate gadgets --gadgets 1000 -o gadgets.nda"),
+                     generate_gadgets),
   };
   return [families] {
     for (const Family& family : families) {

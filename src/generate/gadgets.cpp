@@ -114,21 +114,10 @@ Gadget draw_gadget(Draw& draw, const GadgetsOptions& options) {
 }
 
 void validate(const GadgetsOptions& options) {
-  using generate::require;
-  generate::require_dimensions(options.dimensions, 3);
-  require(options.gadgets >= 1 && options.gadgets <= 100000000,
-          "gadgets",
-          options.gadgets,
-          "must be 1 to 100000000");
-  require(options.size >= 1 && options.size <= 8, "size", options.size, "must be 1 to 8");
-  require(options.arcs_per_gadget >= 3 && options.arcs_per_gadget <= 14,
-          "arcs_per_gadget",
-          options.arcs_per_gadget,
-          "must be 3 to 14");
-  require(options.max_cost >= 1 && options.max_cost <= 1000000,
-          "max_cost",
-          options.max_cost,
-          "must be 1 to 1000000");
+  generate::require_ranges(options);
+  const double gadgets = options.gadgets;
+  generate::require_moderate(
+      options.dimensions, gadgets * options.size, gadgets * options.arcs_per_gadget);
 }
 
 // labels[k][g * size + i - 1]: the final index of index i of gadget g.
@@ -146,14 +135,8 @@ std::vector<std::vector<Index>> draw_labels(Draw& draw, const GadgetsOptions& op
 std::vector<std::string> comments(const GadgetsOptions& options,
                                   std::int64_t optimum,
                                   std::int64_t twice_half) {
-  generate::Parameters parameters("gadgets", options.seed);
-  parameters.add("dimensions", options.dimensions);
-  parameters.add("gadgets", options.gadgets);
-  parameters.add("size", options.size);
-  parameters.add("arcs-per-gadget", options.arcs_per_gadget);
-  parameters.add("max-cost", options.max_cost);
   const generate::Micro half = twice_half * (generate::kMicrosPerUnit / 2);
-  return {parameters.command(),
+  return {generate::Parameters("gadgets", options).command(),
           "optimum " + std::to_string(optimum) + " (enumerated)",
           "LP value at most " + generate::decimal(half) + " (half-integral)"};
 }

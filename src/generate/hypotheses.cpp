@@ -14,13 +14,15 @@
 namespace nda::generate {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 double gate_cell(const TrackingOptions& options) {
   return options.max_speed + options.noise;
 }
 
 }  // namespace
+
+double second_radius(const TrackingOptions& options, int gap) {
+  return gap * options.max_speed + 3 * std::sqrt(2.0) * options.noise;
+}
 
 Hypotheses::Hypotheses(const TrackingOptions& options, const std::vector<Scan>& scans)
     : options_(options), scans_(scans), tuple_(scans.size(), 0) {
@@ -41,7 +43,7 @@ void Hypotheses::enumerate(int scan, std::uint32_t detection) {
   tuple_[static_cast<std::size_t>(scan)] = detection + 1;
   for (int gap = 1; gap <= options_.max_misses + 1 && scan + gap < options_.scans; ++gap) {
     const std::size_t next = static_cast<std::size_t>(scan + gap);
-    const double radius = gap * options_.max_speed + 3 * std::sqrt(2.0) * options_.noise;
+    const double radius = second_radius(options_, gap);
     const double second_cost = natural_log(kPi * radius * radius) - log_density_ratio_;
     grids_[next].for_each_within(first, radius, [&](std::uint32_t j, double) {
       tuple_[next] = j + 1;
@@ -104,10 +106,12 @@ void Hypotheses::extend(int scan, const State& state) {
 }
 
 void Hypotheses::emit(int last_scan, double cost) {
-  if (costs_.size() == kMaxPerStart) {
-    throw InputError(
-        "more than " + std::to_string(kMaxPerStart) +
-        " hypotheses start with one detection: fewer targets or scans, or a larger side");
+  const std::size_t most = static_cast<std::size_t>(kMostEntries) / tuple_.size();
+  if (costs_.size() == kMaxPerStart || ++num_emitted_ > most) {
+    const bool of_one = costs_.size() == kMaxPerStart;
+    throw InputError("more than " + std::to_string(of_one ? kMaxPerStart : most) + " hypotheses" +
+                     (of_one ? " start with one detection" : "") +
+                     ": fewer targets, scans or misses, less noise, or a larger side");
   }
   const int trailing = std::min(options_.scans - 1 - last_scan, options_.max_misses);
   costs_.push_back(to_micro(cost + trailing * miss_cost_));

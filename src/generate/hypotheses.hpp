@@ -11,6 +11,9 @@
 
 namespace nda::generate {
 
+/// R of the table below: how far a second detection may be from the first, `gap` scans before.
+double second_radius(const TrackingOptions& options, int gap);
+
 /// Gated and scored track hypotheses over the scans, by starting detection.
 ///
 /// A hypothesis is a tuple of detections, one or none of each scan, two or more in all, never more
@@ -32,7 +35,8 @@ class Hypotheses {
   Hypotheses(const TrackingOptions& options, const std::vector<Scan>& scans);
 
   /// All hypotheses that start with this detection of this scan, or the `cap` cheapest (ties by
-  /// tuple), in lexicographic order.  Throws InputError at kMaxPerStart hypotheses.
+  /// tuple), in lexicographic order.  Throws InputError at more than kMaxPerStart hypotheses, and
+  /// where those of all calls have more than kMostEntries indices.
   void enumerate(int scan, std::uint32_t detection);
 
   std::size_t size() const { return order_.size(); }
@@ -41,7 +45,7 @@ class Hypotheses {
   }
   Micro cost(std::size_t h) const { return costs_[order_[h]]; }
 
-  static constexpr std::size_t kMaxPerStart = 20000000;
+  static constexpr std::size_t kMaxPerStart = 2000000;
 
  private:
   struct State {
@@ -67,6 +71,7 @@ class Hypotheses {
   std::vector<Index> tuple_;   // of the hypothesis in the making
   std::vector<Index> tuples_;  // N entries each
   std::vector<Micro> costs_;
+  std::size_t num_emitted_ = 0;       // by all calls
   std::vector<std::uint32_t> order_;  // lexicographic
 };
 

@@ -28,27 +28,24 @@ bool advance(std::vector<Index>& tuple, Index size) {
 }  // namespace
 
 Instance generate_map3(const Map3Options& options) {
-  generate::require_dimensions(options.dimensions);
-  generate::require(options.size >= 1, "size", options.size, "must be at least 1");
+  generate::require_ranges(options);
   generate::require(options.max_cost >= options.min_cost,
                     "max_cost",
                     options.max_cost,
-                    "must be at least min_cost");
+                    "must be at least min_cost, which is " + std::to_string(options.min_cost));
   const std::vector<Index> sizes(static_cast<std::size_t>(options.dimensions), options.size);
+  const std::uint64_t num_arcs = generate::count_tuples(sizes, false, 30);
+  generate::require_moderate(options.dimensions, options.size, static_cast<double>(num_arcs));
   ProblemBuilder builder(sizes);
-  builder.reserve(generate::count_tuples(sizes, false, 32));
+  builder.reserve(num_arcs);
   forbid_singletons(builder, options);
   generate::Draw draw(options.seed);
   std::vector<Index> tuple(sizes.size(), 1);
   do {
     builder.add_arc(tuple, static_cast<double>(draw.integer(options.min_cost, options.max_cost)));
   } while (advance(tuple, options.size));
-  generate::Parameters parameters("map3", options.seed);
-  parameters.add("dimensions", options.dimensions);
-  parameters.add("size", options.size);
-  parameters.add("min-cost", options.min_cost);
-  parameters.add("max-cost", options.max_cost);
-  return {std::move(builder).build(), {parameters.command()}, std::nullopt};
+  return {
+      std::move(builder).build(), {generate::Parameters("map3", options).command()}, std::nullopt};
 }
 
 }  // namespace nda

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <concepts>
 #include <cstdint>
 #include <string>
-#include <vector>
+#include <type_traits>
 
+#include "generate/option_tables.hpp"
 #include "generate/portable.hpp"
 
 namespace nda::generate {
@@ -15,13 +15,29 @@ class Parameters {
   Parameters(const std::string& family, std::uint64_t seed)
       : command_("nda generate " + family + " --seed " + std::to_string(seed)) {}
 
-  void add(const char* name, const std::string& value) {
-    command_ += std::string(" --") + name + " " + value;
+  /// All options of a family.
+  template <typename Options>
+  Parameters(const std::string& family, const Options& options) : Parameters(family, options.seed) {
+    add_rows(OptionTable<Options>::kRows, options);
   }
-  void add(const char* name, double value) { add(name, decimal(to_micro(value))); }
-  template <std::integral T>
-  void add(const char* name, T value) {
-    add(name, std::to_string(value));
+
+  template <typename Rows, typename Options>
+  void add_rows(const Rows& rows, const Options& options) {
+    for_each_row(rows, [&](const auto& row) {
+      const auto value = options.*row.field;
+      if constexpr (std::is_floating_point_v<decltype(value)>) {
+        add(row.name, shortest(value, true));
+      } else {
+        add(row.name, std::to_string(value));
+      }
+    });
+  }
+
+  void add(const char* name, const std::string& value) {
+    command_ += ' ';
+    command_ += flag_of(name);
+    command_ += ' ';
+    command_ += value;
   }
 
   const std::string& command() const { return command_; }

@@ -150,14 +150,7 @@ class Planting {
 
   std::vector<std::string> comments(Micro optimum) const {
     static const char* const kNames[] = {"free", "priced", "forbidden"};
-    generate::Parameters parameters("planted", options_.seed);
-    parameters.add("dimensions", options_.dimensions);
-    parameters.add("size", options_.size);
-    parameters.add("arcs", options_.arcs);
-    parameters.add("miss-rate", options_.miss_rate);
-    parameters.add("spread", options_.spread);
-    parameters.add("max-multiplier", options_.max_multiplier);
-    parameters.add("max-slack", options_.max_slack);
+    generate::Parameters parameters("planted", options_);
     parameters.add("singletons", kNames[static_cast<int>(options_.singletons)]);
     return {parameters.command(),
             "optimum " + generate::decimal(optimum) + " (planted; also the LP value)"};
@@ -171,25 +164,14 @@ class Planting {
 };
 
 void validate(const PlantedOptions& options) {
-  using generate::require;
-  generate::require_dimensions(options.dimensions);
-  require(options.size >= 1, "size", options.size, "must be at least 1");
-  require(options.miss_rate >= 0 && options.miss_rate <= 0.9,
-          "miss_rate",
-          options.miss_rate,
-          "must be in [0, 0.9]");
-  require(options.max_multiplier > 0 && options.max_multiplier <= 1000,
-          "max_multiplier",
-          options.max_multiplier,
-          "must be in (0, 1000]");
-  require(options.max_slack >= 0 && options.max_slack <= 1000,
-          "max_slack",
-          options.max_slack,
-          "must be in [0, 1000]");
-  require(options.singletons != PlantedSingletons::kForbidden || options.miss_rate == 0,
-          "miss_rate",
-          options.miss_rate,
-          "must be 0 when singletons are forbidden");
+  generate::require_ranges(options);
+  const double num_rows = options.size / (1 - options.miss_rate);
+  generate::require_moderate(
+      options.dimensions, options.size, static_cast<double>(options.arcs) + num_rows);
+  generate::require(options.singletons != PlantedSingletons::kForbidden || options.miss_rate == 0,
+                    "miss_rate",
+                    options.miss_rate,
+                    "must be 0 when singletons are forbidden");
 }
 
 }  // namespace

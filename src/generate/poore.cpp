@@ -53,7 +53,7 @@ void add_singletons(Draw& draw, ProblemBuilder& builder, const std::vector<Index
 
 // Tuples of the product of 0..M_k with two or more real indices.
 std::uint64_t count_arcs(const std::vector<Index>& sizes) {
-  std::uint64_t count = generate::count_tuples(sizes, true, 32) - 1;
+  std::uint64_t count = generate::count_tuples(sizes, true, 30) - 1;
   for (const Index size : sizes) count -= size;
   return count;
 }
@@ -61,15 +61,14 @@ std::uint64_t count_arcs(const std::vector<Index>& sizes) {
 }  // namespace
 
 Instance generate_poore_sparse(const PooreSparseOptions& options) {
-  generate::require_dimensions(options.dimensions);
+  generate::require_ranges(options);
+  const double num_arcs = static_cast<double>(options.arcs);
+  generate::require_moderate(options.dimensions, options.max_size, num_arcs);
   Draw draw(options.seed);
   const std::vector<Index> sizes =
       generate::draw_sizes(draw, options.dimensions, options.min_size, options.max_size);
   const std::uint64_t total = generate::count_tuples(sizes, false, 62);
-  generate::require(options.arcs <= total,
-                    "arcs",
-                    static_cast<double>(options.arcs),
-                    "more than there are tuples");
+  generate::require(options.arcs <= total, "arcs", num_arcs, "more than there are tuples");
   ProblemBuilder builder(sizes);
   builder.reserve(options.arcs);
   std::vector<Index> tuple(sizes.size());
@@ -77,23 +76,20 @@ Instance generate_poore_sparse(const PooreSparseOptions& options) {
     decode(code, sizes, 1, tuple);
     builder.add_arc(tuple, generate::from_micro(draw_cost(draw, -100, -1)));
   }
-  generate::Parameters parameters("poore-5.1", options.seed);
-  parameters.add("dimensions", options.dimensions);
-  parameters.add("min-size", options.min_size);
-  parameters.add("max-size", options.max_size);
-  parameters.add("arcs", options.arcs);
-  return {std::move(builder).build(), {parameters.command()}, std::nullopt};
+  return {std::move(builder).build(),
+          {generate::Parameters("poore-5.1", options).command()},
+          std::nullopt};
 }
 
 Instance generate_poore_dense(const PooreDenseOptions& options) {
-  generate::require_dimensions(options.dimensions);
-  generate::require(
-      options.share >= 0 && options.share <= 1, "share", options.share, "must be in [0, 1]");
+  generate::require_ranges(options);
+  generate::require_moderate(options.dimensions, options.max_size, 0);
   Draw draw(options.seed);
   const std::vector<Index> sizes =
       generate::draw_sizes(draw, options.dimensions, options.min_size, options.max_size);
   std::uint64_t left = count_arcs(sizes);
   std::uint64_t wanted = static_cast<std::uint64_t>(options.share * static_cast<double>(left));
+  generate::require_moderate(options.dimensions, 0, static_cast<double>(wanted));
   ProblemBuilder builder(sizes);
   builder.reserve(wanted);
   add_singletons(draw, builder, sizes);
@@ -105,12 +101,9 @@ Instance generate_poore_dense(const PooreDenseOptions& options) {
     --wanted;
     builder.add_arc(tuple, generate::from_micro(draw_cost(draw, 1, 100)));
   }
-  generate::Parameters parameters("poore-5.3", options.seed);
-  parameters.add("dimensions", options.dimensions);
-  parameters.add("min-size", options.min_size);
-  parameters.add("max-size", options.max_size);
-  parameters.add("share", options.share);
-  return {std::move(builder).build(), {parameters.command()}, std::nullopt};
+  return {std::move(builder).build(),
+          {generate::Parameters("poore-5.3", options).command()},
+          std::nullopt};
 }
 
 }  // namespace nda

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <charconv>
 #include <cmath>
-#include <sstream>
 #include <unordered_set>
 
 // The standard library promises neither the bits of std::log nor the algorithm of its
@@ -94,18 +94,28 @@ std::vector<std::uint64_t> Draw::distinct(std::uint64_t count, std::uint64_t tot
   return sorted;
 }
 
-void require(bool holds, const char* name, double value, const char* need) {
-  if (holds) return;
-  std::ostringstream text;
-  text << name << " is " << value << ", " << need;
-  throw InputError(text.str());
+std::string shortest(double x, bool fixed) {
+  char text[400];
+  char* const end = text + sizeof text;
+  const auto result =
+      fixed ? std::to_chars(text, end, x, std::chars_format::fixed) : std::to_chars(text, end, x);
+  return {text, result.ptr};
 }
 
-void require_dimensions(int dimensions, int least) {
-  require(dimensions >= least && dimensions <= kMaxDimensions,
-          "dimensions",
-          dimensions,
-          least == 2 ? "must be 2 to 64" : "must be 3 to 64");
+void require(bool holds, const std::string& name, double value, const std::string& need) {
+  if (!holds) throw InputError(name + " is " + shortest(value) + ", " + need);
+}
+
+void require_within(const std::string& name, double value, double least, double most) {
+  require(value >= least && value <= most,
+          name,
+          value,
+          "must be in [" + shortest(least) + ", " + shortest(most) + "]");
+}
+
+void require_moderate(int dimensions, double largest_size, double num_arcs) {
+  require_within("dimensions times size", dimensions * largest_size, 0, kMostIndices);
+  require_within("dimensions times arcs", dimensions * num_arcs, 0, kMostEntries);
 }
 
 std::uint64_t count_tuples(const std::vector<Index>& sizes, bool with_dummy, int limit_bits) {
@@ -114,7 +124,8 @@ std::uint64_t count_tuples(const std::vector<Index>& sizes, bool with_dummy, int
   for (const Index size : sizes) {
     const std::uint64_t choices = size + (with_dummy ? std::uint64_t{1} : 0);
     if (count > (limit - 1) / choices) {
-      throw InputError("the sizes allow 2^" + std::to_string(limit_bits) + " tuples or more");
+      throw InputError("dimensions and sizes allow 2^" + std::to_string(limit_bits) +
+                       " tuples or more, must be fewer");
     }
     count *= choices;
   }
@@ -122,8 +133,10 @@ std::uint64_t count_tuples(const std::vector<Index>& sizes, bool with_dummy, int
 }
 
 std::vector<Index> draw_sizes(Draw& draw, int dimensions, Index min_size, Index max_size) {
-  require(min_size >= 1, "min_size", min_size, "must be at least 1");
-  require(max_size >= min_size, "max_size", max_size, "must be at least min_size");
+  require(max_size >= min_size,
+          "max_size",
+          max_size,
+          "must be at least min_size, which is " + std::to_string(min_size));
   std::vector<Index> sizes(static_cast<std::size_t>(dimensions));
   for (Index& size : sizes) size = static_cast<Index>(draw.integer(min_size, max_size));
   return sizes;

@@ -16,6 +16,8 @@ namespace nda::generate {
 /// Natural logarithm of x > 0 (normal), relative error below 1e-15.
 double natural_log(double x);
 
+inline constexpr double kPi = 3.14159265358979323846;
+
 /// A cost in millionths.
 using Micro = std::int64_t;
 
@@ -71,17 +73,28 @@ class Draw {
   bool has_spare_ = false;
 };
 
+/// What a generated problem may have: indices of all dimensions together, arcs times dimensions,
+/// detections of all scans together.
+inline constexpr double kMostIndices = 1e8;
+inline constexpr double kMostEntries = 1e9;
+inline constexpr double kMostDetections = 1e7;
+
+/// The shortest decimal number that reads back as x; without exponent where `fixed`.
+std::string shortest(double x, bool fixed = false);
+
 /// Throws InputError "<name> is <value>, <need>" unless `holds`.
-void require(bool holds, const char* name, double value, const char* need);
+void require(bool holds, const std::string& name, double value, const std::string& need);
 
-/// Checks the number of dimensions, `least`..kMaxDimensions.
-void require_dimensions(int dimensions, int least = 2);
+/// Throws InputError "<name> is <value>, must be in [<least>, <most>]"; NaN is in no range.
+void require_within(const std::string& name, double value, double least, double most);
 
-/// Product of all sizes (+ 1 where `with_dummy`); throws InputError naming `what` at 2^limit_bits
-/// or more.
+/// Throws InputError unless the problem is within kMostIndices and kMostEntries.
+void require_moderate(int dimensions, double largest_size, double num_arcs);
+
+/// Product of all sizes (+ 1 where `with_dummy`); throws InputError at 2^limit_bits or more.
 std::uint64_t count_tuples(const std::vector<Index>& sizes, bool with_dummy, int limit_bits);
 
-/// M_k uniform in min_size..max_size; throws InputError unless 1 <= min_size <= max_size.
+/// M_k uniform in min_size..max_size; throws InputError unless min_size <= max_size.
 std::vector<Index> draw_sizes(Draw& draw, int dimensions, Index min_size, Index max_size);
 
 }  // namespace nda::generate

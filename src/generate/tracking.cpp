@@ -1,4 +1,7 @@
+#include <algorithm>
+#include <numeric>
 #include <string>
+#include <vector>
 
 #include "generate/hypotheses.hpp"
 #include "generate/parameters.hpp"
@@ -12,55 +15,51 @@
 namespace nda {
 namespace {
 
+constexpr double kMostPatterns = 1e5;
+
+// Sequences of scans, from the first on, in which a target can be seen: each is a hypothesis.
+double count_patterns(int scans, int max_misses) {
+  std::vector<double> ending_at(static_cast<std::size_t>(scans), 0);
+  ending_at[0] = 1;
+  for (int s = 1; s < scans; ++s) {
+    for (int gap = 1; gap <= std::min(s, max_misses + 1); ++gap) {
+      ending_at[static_cast<std::size_t>(s)] += ending_at[static_cast<std::size_t>(s - gap)];
+    }
+  }
+  return std::accumulate(ending_at.begin(), ending_at.end(), 0.0);
+}
+
+// Expected hypotheses of two false alarms, or fewer: a quarter of a disc is within the square.
+double fewest_hypotheses(const TrackingOptions& options) {
+  double share = 0;
+  for (int gap = 1; gap <= std::min(options.max_misses + 1, options.scans - 1); ++gap) {
+    const double reach = generate::second_radius(options, gap) / options.side;
+    share += (options.scans - gap) * std::min(0.25, 0.25 * generate::kPi * reach * reach);
+  }
+  return share * options.clutter * options.clutter;
+}
+
 void validate(const TrackingOptions& options) {
-  using generate::require;
-  generate::require_dimensions(options.scans);
-  require(options.targets >= 1, "targets", options.targets, "must be at least 1");
-  require(options.side > 0 && options.side <= 1e9, "side", options.side, "must be in (0, 1e9]");
-  require(options.clutter > 0 && options.clutter <= 1e8,
-          "clutter",
-          options.clutter,
-          "must be in (0, 1e8]");
-  require(options.detection_probability > 0 && options.detection_probability < 1,
-          "detection_probability",
-          options.detection_probability,
-          "must be in (0, 1)");
-  require(options.noise > 0, "noise", options.noise, "must be positive");
-  require(options.max_speed > 0, "max_speed", options.max_speed, "must be positive");
-  require(
-      options.process_noise >= 0, "process_noise", options.process_noise, "must not be negative");
-  require(options.gate_probability > 0 && options.gate_probability < 1,
-          "gate_probability",
-          options.gate_probability,
-          "must be in (0, 1)");
-  require(options.max_misses >= 0, "max_misses", options.max_misses, "must not be negative");
-  require(options.group_size >= 0, "group_size", options.group_size, "must not be negative");
-  require(options.group_spread >= 0, "group_spread", options.group_spread, "must not be negative");
-  require(options.velocity_spread >= 0,
-          "velocity_spread",
-          options.velocity_spread,
-          "must not be negative");
-  require(options.cap >= 0, "cap", options.cap, "must not be negative");
+  generate::require_ranges(options);
+  generate::require_within("scans times targets and clutter",
+                           options.scans * (options.targets + options.clutter),
+                           0,
+                           generate::kMostDetections);
+  generate::require_within("the number of patterns of misses that scans and max_misses allow",
+                           count_patterns(options.scans, options.max_misses),
+                           0,
+                           kMostPatterns);
+  generate::require_within("scans times hypotheses of two false alarms",
+                           options.scans * fewest_hypotheses(options),
+                           0,
+                           generate::kMostEntries);
 }
 
 std::vector<std::string> comments(const TrackingOptions& options) {
+  using Table = generate::OptionTable<TrackingOptions>;
   generate::Parameters parameters(options.group_size > 0 ? "groups" : "tracking", options.seed);
-  parameters.add("scans", options.scans);
-  parameters.add("targets", options.targets);
-  parameters.add("side", options.side);
-  parameters.add("clutter", options.clutter);
-  parameters.add("detection-probability", options.detection_probability);
-  parameters.add("noise", options.noise);
-  parameters.add("max-speed", options.max_speed);
-  parameters.add("process-noise", options.process_noise);
-  parameters.add("gate-probability", options.gate_probability);
-  parameters.add("max-misses", options.max_misses);
-  parameters.add("cap", options.cap);
-  if (options.group_size > 0) {
-    parameters.add("group-size", options.group_size);
-    parameters.add("group-spread", options.group_spread);
-    parameters.add("velocity-spread", options.velocity_spread);
-  }
+  parameters.add_rows(Table::kScenarioRows, options);
+  if (options.group_size > 0) parameters.add_rows(Table::kGroupRows, options);
   return {parameters.command()};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <string>
 #include <vector>
 
@@ -11,11 +12,15 @@ namespace nda::pipeline {
 struct RealIndex {
   int dimension;
   Index index;
+
+  friend auto operator<=>(const RealIndex&, const RealIndex&) = default;
 };
 
-/// The reason of an infeasible problem in one sentence.  `uncovered`: forbidden-singleton indices
-/// that the best solution of the penalised problem leaves uncovered; it covers as many as can be
-/// covered at once as far as the penalty sees.
+/// The reason of an infeasible problem in one sentence: an index without arcs, or a set of indices
+/// that cannot all be covered, whatever becomes of the others; where that would take too long, only
+/// how many stay uncovered.  `uncovered`: forbidden-singleton indices that the best solution of the
+/// penalised problem leaves uncovered; it covers as many as can be covered at once as far as the
+/// penalty sees.
 std::string infeasibility_reason(const Problem& problem, const std::vector<RealIndex>& uncovered);
 
 /// Indices that no arc contains though their singleton is forbidden.

@@ -57,6 +57,19 @@ TEST(GenerateCommand, RefusesWhatIsWrongInOneLine) {
     const char* arguments;
     const char* message;
   } kCases[] = {
+      {"tracking --noise 1e20", "noise is 1e+20, must be in [1e-06, 1e+09]"},
+      {"tracking --max-speed 1e20", "max_speed is 1e+20, must be in [0, 1e+09]"},
+      {"tracking --process-noise 1e30", "process_noise is 1e+30, must be in [0, 1e+09]"},
+      {"tracking --group-size 5 --group-spread 1e30", "group_spread is 1e+30, must be in"},
+      {"groups --velocity-spread 1e30", "velocity_spread is 1e+30, must be in [0, 1e+09]"},
+      {"tracking --targets 2000000000", "targets is 2e+09, must be in [1, 1e+07]"},
+      {"tracking --scans 64 --max-misses 64",
+       "scans and max_misses allow is 9223372036854775808, must be "},
+      {"tracking --clutter 1e5", "scans times hypotheses of two false alarms is "},
+      {"poore-5.3 --dimensions 10", "dimensions and sizes allow 2^30 tuples or more"},
+      {"poore-5.1 --max-size 4294967295", "max_size is 4294967295, must be in [1, 1e+08]"},
+      {"planted --arcs 18446744073709551615", "arcs is 18446744073709551616, must be in [0, 1e+"},
+      {"planted --arcs 900000000", "dimensions times arcs is 4500005555.555"},
       {"planted --miss-rate 2", "miss_rate is 2, must be in [0, 0.9]"},
       {"tracking --preset giant", "no tracking preset is called giant"},
       {"planted --singletons dear", "--singletons"},
@@ -70,7 +83,8 @@ TEST(GenerateCommand, RefusesWhatIsWrongInOneLine) {
   };
   for (const auto& wrong : kCases) {
     SCOPED_TRACE(wrong.arguments);
-    const Outcome outcome = run({}, std::string("nda generate ") + wrong.arguments);
+    const std::string limit = kCanLimitMemory ? "ulimit -v 200000; " : "";
+    const Outcome outcome = run({}, limit + "nda generate " + wrong.arguments);
     EXPECT_EQ(outcome.code, 2);
     EXPECT_EQ(outcome.output, "");
     EXPECT_THAT(outcome.log, HasSubstr(wrong.message));

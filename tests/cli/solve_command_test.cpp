@@ -60,7 +60,7 @@ TEST(SolveCommand, SaysOfAnInfeasibleProblemWhyAndNoBound) {
   const Outcome outcome = run(folder, "nda solve a.nda -q -v -o a.json");
   EXPECT_EQ(outcome.code, 1);
   EXPECT_THAT(outcome.output,
-              AllOf(HasSubstr("status        infeasible\nreason        not all indices"),
+              AllOf(HasSubstr("status        infeasible\nreason        indices 1, 2 of dimension "),
                     HasSubstr(" infeasible                inf                inf  assignment\n"),
                     Not(HasSubstr("lower bound   "))));
   EXPECT_THAT(contents(folder / "a.json"),

@@ -6,16 +6,12 @@
 #include <chrono>
 #include <thread>
 
-#include "solve/infeasibility.hpp"
 #include "solve/process.hpp"
-#include "support/tiny_problems.hpp"
 
 namespace nda::pipeline {
 namespace {
 
-using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using ::testing::Not;
 
 TEST(Monitor, AddsUpWhatTheComponentsReport) {
   std::vector<Progress> seen;
@@ -83,47 +79,6 @@ TEST(Monitor, BeatsOnlyWhereNothingWasToldForLong) {
   ASSERT_EQ(seen.size(), 1u);
   EXPECT_STREQ(seen[0].event, "working");
   EXPECT_EQ(seen[0].cost, kInfinity) << "nothing is known yet";
-}
-
-// Ten rows without singletons, one column.
-Problem ten_rows() {
-  ProblemBuilder builder({10, 1});
-  for (Index i = 1; i <= 10; ++i) {
-    builder.add_arc({i, 0}, kInfinity);
-    builder.add_arc({i, 1}, 1);
-  }
-  return std::move(builder).build();
-}
-
-TEST(InfeasibilityReason, NamesAnIndexWithoutArcsFirst) {
-  const Problem problem = support::make_problem({2, 1}, {{{1, 1}, 1}}, kInfinity);
-  EXPECT_EQ(infeasibility_reason(problem, {{0, 1}, {0, 2}}),
-            "index 2 of dimension 1 has no arc and its singleton is forbidden");
-}
-
-TEST(InfeasibilityReason, NamesTheUncovered) {
-  EXPECT_THAT(infeasibility_reason(ten_rows(), {{0, 3}}),
-              HasSubstr("at least 1 stays uncovered, for instance index 3 of dimension 1"));
-  EXPECT_THAT(infeasibility_reason(ten_rows(), {{0, 3}, {0, 7}}),
-              HasSubstr("at least 2 stay uncovered, for instance index 3 of dimension 1, index 7"));
-}
-
-TEST(InfeasibilityReason, DoesNotListThemAll) {
-  std::vector<RealIndex> uncovered;
-  for (Index i = 1; i <= 9; ++i) uncovered.push_back({0, i});
-  const std::string reason = infeasibility_reason(ten_rows(), uncovered);
-  EXPECT_THAT(reason, HasSubstr("index 8 of dimension 1 and 1 more"));
-  EXPECT_THAT(reason, Not(HasSubstr("index 9 of")));
-}
-
-TEST(IndicesWithoutArcs, AreThoseThatNothingCanCover) {
-  const Problem problem = support::make_problem(
-      {2, 2}, {{{1, 1}, 1}, {{2, 0}, kInfinity}, {{0, 1}, kInfinity}, {{0, 2}, 3}});
-  const std::vector<RealIndex> lonely = indices_without_arcs(problem);
-  ASSERT_EQ(lonely.size(), 1u);
-  EXPECT_EQ(lonely[0].dimension, 0);
-  EXPECT_EQ(lonely[0].index, 2u);
-  EXPECT_THAT(indices_without_arcs(ten_rows()), IsEmpty());
 }
 
 TEST(PeakMemory, IsThatOfThisProcess) {
