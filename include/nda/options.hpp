@@ -57,9 +57,9 @@ struct BranchOptions {
 /// What a progress callback sees; sums over all components.
 struct Progress {
   double seconds = 0;       ///< since the solve began
-  double cost = kInfinity;  ///< of the best known solution
+  double cost = kInfinity;  ///< of the best known solution; +inf until there is one
   double lower_bound = -kInfinity;
-  std::size_t components_done = 0;
+  std::size_t components_done = 0;  ///< proven, optimal or infeasible
   std::size_t num_components = 0;
   const char* event = "";  ///< what found it: "greedy", "recovery", "local search", "bound", ...
 };
@@ -75,7 +75,8 @@ struct Options {
   SearchOptions search;
   BranchOptions branch;
 
-  /// Called on every improvement, never concurrently; return false to stop.
+  /// Called on every improvement and whenever a component is done, never concurrently.  Return
+  /// false to stop; it is not called again then.
   std::function<bool(const Progress&)> progress;
   std::stop_token stop;
 };

@@ -6,11 +6,14 @@
 
 namespace nda::cli {
 void ProgressLog::operator()(const Progress& progress) {
-  const double gap =
-      (progress.cost - progress.lower_bound) / std::max(1e-9, std::abs(progress.cost));
+  const double gap = std::isfinite(progress.cost) ? (progress.cost - progress.lower_bound) /
+                                                        std::max(1e-9, std::abs(progress.cost))
+                                                  : kInfinity;
   const bool closes = !closed_ && gap <= 1e-12;
-  if (progress.seconds < next_seconds_ && !closes) return;
+  const bool ends = !ended_ && progress.components_done == progress.num_components;
+  if (progress.seconds < next_seconds_ && !closes && !ends) return;
   closed_ = closed_ || closes;
+  ended_ = ended_ || ends;
   next_seconds_ = progress.seconds + interval_s_;
   if (!started_)
     out_ << "   time (s)               cost        lower bound      gap %    done  event\n";

@@ -7,7 +7,8 @@
 namespace nda::cli {
 
 /// Writes a solver log, one line at a time: seconds, cost, bound, gap, what found it.
-/// At most one line every `interval_s` seconds, but the one that closes the gap always.
+/// At most one line every `interval_s` seconds, but the one that closes the gap, and
+/// the one that ends the last component, always.
 class ProgressLog {
  public:
   ProgressLog(std::ostream& out, double interval_s) : out_(out), interval_s_(interval_s) {}
@@ -20,6 +21,7 @@ class ProgressLog {
   double next_seconds_ = 0;
   bool started_ = false;
   bool closed_ = false;
+  bool ended_ = false;
 };
 
 }  // namespace nda::cli

@@ -20,7 +20,7 @@ TEST(Monitor, AddsUpWhatTheComponentsReport) {
     seen.push_back(progress);
     return true;
   };
-  Monitor monitor(callback, 100, 2, std::stop_source());
+  Monitor monitor(callback, 100, 2, 0, std::stop_source());
   monitor.add_component(-10);
   monitor.moved(-3, 0, "greedy");
   monitor.add_component(-20);
@@ -47,17 +47,34 @@ TEST(Monitor, AsksToStopWhenTheCallbackSaysSo) {
   const std::function<bool(const Progress&)> callback = [&](const Progress&) {
     return ++calls < 2;
   };
-  Monitor monitor(callback, 0, 1, stop);
+  Monitor monitor(callback, 0, 1, 0, stop);
   monitor.moved(-1, 0, "greedy");
   EXPECT_FALSE(stop.stop_requested());
   monitor.moved(-1, 0, "greedy");
   EXPECT_TRUE(stop.stop_requested());
+  monitor.moved(-1, 0, "greedy");
+  EXPECT_EQ(calls, 2) << "it has said all it has to say";
+}
+
+TEST(Monitor, KnowsNoCostBeforeAllComponentsAreFeasible) {
+  std::vector<double> costs;
+  const std::function<bool(const Progress&)> callback = [&](const Progress& progress) {
+    costs.push_back(progress.cost);
+    return true;
+  };
+  Monitor monitor(callback, 1000, 2, 2, std::stop_source());
+  monitor.component_feasible();
+  monitor.moved(-100, 0, "greedy");
+  monitor.moved(-300, 0, "greedy");
+  monitor.component_feasible();
+  monitor.moved(-500, 0, "recovery");
+  EXPECT_THAT(costs, ::testing::ElementsAre(kInfinity, kInfinity, 100));
 }
 
 TEST(Monitor, NeedsNoCallback) {
   std::stop_source stop;
   const std::function<bool(const Progress&)> none;
-  Monitor monitor(none, 0, 1, stop);
+  Monitor monitor(none, 0, 1, 0, stop);
   monitor.add_component(-1);
   monitor.moved(-1, 0, "greedy");
   EXPECT_FALSE(stop.stop_requested());
