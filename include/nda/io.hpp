@@ -70,7 +70,8 @@ Problem parse_problem(std::string_view bytes, const ReadOptions& options = {});
 
 /// Writes a problem to a file, compressed when the path ends in .gz, or to standard output when
 /// `path` is "-".  The file appears under its name only when it is complete; devices and pipes are
-/// written directly.  Costs are written so that reading restores every bit.
+/// written directly.  Costs are written so that reading restores every bit.  Throws InputError for
+/// a problem that was moved from.
 void write_problem(const Problem& problem,
                    const std::string& path,
                    const WriteOptions& options = {});

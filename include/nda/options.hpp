@@ -57,11 +57,11 @@ struct BranchOptions {
 /// What a progress callback sees; sums over all components.
 struct Progress {
   double seconds = 0;       ///< since the solve began
-  double cost = kInfinity;  ///< of the best known solution
+  double cost = kInfinity;  ///< of the best known solution; +inf until there is one
   double lower_bound = -kInfinity;
-  std::size_t components_done = 0;
-  std::size_t num_components = 0;  ///< 0 until they are known
-  const char* event = "";          ///< what found it: "greedy", "local search", ...; or "working"
+  std::size_t components_done = 0;  ///< proven, optimal or infeasible
+  std::size_t num_components = 0;   ///< 0 until they are known
+  const char* event = "";  ///< what found it: "greedy", "recovery", "bound", ...; or "working"
 };
 
 /// Everything that can be asked of a solve.  docs/options.md lists names, defaults and ranges.
@@ -80,8 +80,9 @@ struct Options {
   SearchOptions search;
   BranchOptions branch;
 
-  /// Called on every improvement, and with the event "working" when there was none for a second;
-  /// by a thread that solves, never concurrently.  Return false to stop.
+  /// Called on every improvement, whenever a component is done, and with the event "working" when
+  /// there was neither for a second; by a thread that solves, never concurrently.  Return false to
+  /// stop; it is not called again then.
   std::function<bool(const Progress&)> progress;
   std::stop_token stop;
 };

@@ -18,11 +18,14 @@ namespace nda {
 /// *singleton* (false alarm, missed track); every index has one, of cost 0 unless set, +inf where
 /// forbidden.
 ///
+/// A problem that was moved from has 0 dimensions; solve() and write_problem() then throw
+/// InputError.
+///
 /// Dimensions count from 0 in code and from 1 in files and messages.
 /// Source: Poore, AFOSR final report 1995, eq. (2.5) and (3.1).
 class Problem {
  public:
-  /// N, between 2 and kMaxDimensions.
+  /// N, between 2 and kMaxDimensions; 0 when moved from.
   int num_dimensions() const { return static_cast<int>(sizes_.size()); }
 
   /// M_k, the number of real indices of dimension k.
@@ -96,7 +99,8 @@ class ProblemBuilder {
   std::size_t num_arcs() const { return problem_.costs_.size(); }
   std::span<const Index> sizes() const { return problem_.sizes_; }
 
-  /// Sorts, removes duplicates, and gives the problem away.  O(A N + sum of M_k).
+  /// Sorts, removes duplicates, and gives the problem away.  O(A N + sum of M_k).  Afterwards the
+  /// builder holds nothing, and add_arc() and build() throw InputError.
   Problem build() &&;
 
  private:

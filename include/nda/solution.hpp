@@ -22,6 +22,9 @@ namespace nda {
 /// | infeasible     | none            | bound +inf, no certificate   | who and why   |
 /// | precision_lost | best so far     | valid, need not meet cost    | what is known |
 ///
+/// gap_reached: a gap above 0 was asked for.  iteration_limit: Method::kRelaxation ended, at its
+/// limit of evaluations or because its bound no longer rises.
+///
 /// After a limit `solutions` is empty when no feasible solution was found (possible only where
 /// singletons are forbidden, or their sum overflows); then cost is +inf and lower_bound still
 /// holds.  Precision_lost because costs exceed 1e100: nothing is searched, the solution leaves
@@ -51,9 +54,9 @@ struct RankedSolution {
 
 /// What happened in one connected component (components in order of their smallest index).
 struct ComponentReport {
-  std::size_t num_arcs = 0;     ///< after the cost shift
-  std::size_t num_indices = 0;  ///< real indices it touches
-  Status status = Status::kOptimal;
+  std::size_t num_arcs = 0;          ///< after the cost shift
+  std::size_t num_indices = 0;       ///< real indices it touches
+  Status status = Status::kOptimal;  ///< why work on it ended; optimal exactly where proven
   bool proven = false;
   double cost = 0;         ///< contribution to the total cost; +inf if it was not found feasible
   double lower_bound = 0;  ///< on that contribution; +inf if it is infeasible

@@ -13,7 +13,8 @@ namespace nda {
 /// branching; the parts are merged.  Both bounds are always reported.  Same problem, seed and
 /// options give the same answer whatever the number of threads, unless a time limit strikes.
 ///
-/// Throws InputError only for options out of range; outcomes are statuses.  Thread safe.
+/// Throws InputError only for options out of range and for a problem that was moved from; outcomes
+/// are statuses.  Thread safe.
 Solution solve(const Problem& problem, const Options& options = {});
 
 }  // namespace nda

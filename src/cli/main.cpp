@@ -69,7 +69,8 @@ bool is_command(std::string_view name) {
 }
 
 int main_program(int argc, char** argv) {
-  CLI::App parser("N-dimensional assignment with a bound anyone can check.", "nda");
+  CLI::App parser("N-dimensional assignment with bounds, and a certificate anyone can check.",
+                  "nda");
   parser.set_version_flag("--version", std::string("nda ") + kVersion);
   parser.footer(
       "Exit codes: 0 answer, 1 no answer or check failed, 2 bad input, 3 stopped by a limit.\n"

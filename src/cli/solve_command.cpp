@@ -226,9 +226,9 @@ Action declare_solve(CLI::App& parser) {
   parser.add_flag("--verbose,-v", arguments->verbose, "one line per component");
   parser.footer(
       "The log on standard error shows time, cost of the best assignment, lower bound and gap;\n"
-      "the bound is proved by multipliers that `nda check` verifies.  Ctrl-C stops with the best "
-      "so\n"
-      "far.  Exit codes: 0 answer, 1 no answer, 2 bad input, 3 stopped by a limit.\n"
+      "what the multipliers prove of the bound, its certificate, is verified by `nda check`; the\n"
+      "rest rests on branching.  Ctrl-C stops with the best so far.  Exit codes: 0 answer, 1 no\n"
+      "answer, 2 bad input, 3 stopped by a limit.\n"
       "\n"
       "Example:\n"
       "  nda solve window.nda.gz --time-limit 10 --output window.json\n"

@@ -162,6 +162,7 @@ void ProblemBuilder::add_arc(std::span<const Index> tuple, double cost) {
 }
 
 Problem ProblemBuilder::build() && {
+  if (problem_.sizes_.empty()) throw InputError("the builder has given its problem away already");
   Columns& columns = problem_.indices_;
   std::vector<double>& costs = problem_.costs_;
   if (!strictly_sorted(columns, costs.size())) {

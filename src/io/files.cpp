@@ -66,6 +66,7 @@ void write_to(io::Sink& sink,
               const Problem& problem,
               FileFormat format,
               const std::vector<std::string>& comments) {
+  if (problem.num_dimensions() == 0) throw InputError("the problem was moved from: 0 dimensions");
   io::TextWriter out(sink);
   switch (format) {
     case FileFormat::kAuto:

@@ -72,12 +72,14 @@ Precision precision_of(const Component& component, const core::CostGrid& grid) {
 }
 
 ComponentSolver::ComponentSolver(const Component& component,
+                                 std::vector<bool> required,
                                  const Options& options,
                                  const core::CostGrid& grid,
                                  std::uint64_t seed,
                                  const core::Deadline& deadline,
                                  Monitor& monitor)
     : component_(component),
+      required_(std::move(required)),
       options_(options),
       deadline_(deadline),
       monitor_(monitor),
@@ -89,6 +91,8 @@ ComponentSolver::ComponentSolver(const Component& component,
   state_.certificate = state_.lower = relax::make_feasible(component, state_.u, deadline);
   certify_s_ = kCertifyReserve * watch.seconds();
   if (bounded()) monitor_.add_component(state_.lower);
+  state_.feasible = covers_required({});
+  if (state_.feasible && !required_.empty()) monitor_.component_feasible();
 }
 
 relax::LagrangianOptions ComponentSolver::loop_options(const Component& component) const {
@@ -117,15 +121,26 @@ void ComponentSolver::start() {
 }
 
 void ComponentSolver::finish(double allowed_gap) {
-  if (options_.method == Method::kRelaxation) {
-    if (!state_.complete) state_.stopped = Status::kIterationLimit;
-    return;
-  }
+  // What the penalties of uncovered indices cost is no gap that anyone asked for.
+  if (!state_.feasible) allowed_gap = 0;
+  if (options_.method != Method::kRelaxation) close_gap(allowed_gap);
+  state_.stopped = reason_to_stop(allowed_gap);
+}
+
+void ComponentSolver::close_gap(double allowed_gap) {
   if (close_enough(allowed_gap) || deadline_.reached()) return;
   // With a gap that wide a proof is far away; better solutions are not.
   if (state_.best.cost - state_.lower > kWideGap * std::abs(state_.best.cost)) search(kWideEffort);
   if (options_.method != Method::kExact) branch_and_cut(allowed_gap);
   if (!close_enough(allowed_gap)) branch(allowed_gap);
+}
+
+Status ComponentSolver::reason_to_stop(double allowed_gap) const {
+  if (state_.complete) return Status::kOptimal;
+  if (close_enough(allowed_gap)) return Status::kGapReached;
+  if (deadline_.interrupted()) return Status::kInterrupted;
+  if (deadline_.expired()) return Status::kTimeLimit;
+  return options_.method == Method::kRelaxation ? Status::kIterationLimit : Status::kNodeLimit;
 }
 
 // Cuts and branching on the arcs that reduced costs leave, as a component of their own.
@@ -292,15 +307,14 @@ void ComponentSolver::branch(double allowed_gap) {
   const double missed = coarse ? limits.gap : limits.error;
   raise_bound(result.complete ? state_.best.cost - missed : std::min(result.lower, cutoff),
               "branch and bound");
-  if (!result.complete) {
-    state_.stopped = deadline_.interrupted() ? Status::kInterrupted
-                     : deadline_.expired()   ? Status::kTimeLimit
-                                             : Status::kNodeLimit;
-  }
 }
 
 bool ComponentSolver::offer(const Packing& packing, const char* event) {
   if (packing.cost >= state_.best.cost) return false;
+  if (!state_.feasible && covers_required(packing)) {
+    state_.feasible = true;
+    monitor_.component_feasible();
+  }
   monitor_.moved(packing.cost - state_.best.cost, 0.0, event);
   state_.best = packing;
   raise_bound(state_.lower, event);
@@ -312,18 +326,27 @@ void ComponentSolver::raise_bound(double lower, const char* event) {
   // best.
   const bool meets = std::max(lower, state_.lower) >= cutoff();
   if (meets) lower = std::max(lower, state_.best.cost - precision_.error);
-  if (lower > state_.lower) {
-    monitor_.moved(0.0, lower - state_.lower, event);
-    state_.lower = lower;
-  }
-  if (meets && !state_.complete) {
+  const bool done = meets && !state_.complete;
+  if (done) {
     state_.complete = true;
     monitor_.component_done();
   }
+  const double rise = std::max(0.0, lower - state_.lower);
+  if (rise > 0) state_.lower = lower;
+  if (rise > 0 || done) monitor_.moved(0.0, rise, event);
+}
+
+bool ComponentSolver::covers_required(const Packing& packing) const {
+  std::vector<bool> missing = required_;
+  for (const ArcId a : packing.arcs) {
+    core::for_each_slot(component_, a, [&](std::uint32_t slot) { missing[slot] = false; });
+  }
+  return std::find(missing.begin(), missing.end(), true) == missing.end();
 }
 
 bool ComponentSolver::close_enough(double allowed_gap) const {
-  return state_.complete || state_.best.cost - state_.lower <= allowed_gap;
+  return state_.complete ||
+         (allowed_gap > 0 && state_.best.cost - state_.lower <= allowed_gap + precision_.error);
 }
 
 }  // namespace nda::pipeline

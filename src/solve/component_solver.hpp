@@ -34,8 +34,9 @@ struct ComponentState {
   double certificate = 0;             ///< sum u
   double lower = 0;                   ///< proven bound, >= certificate where branching helped
   bool complete = false;              ///< best is optimal to precision.error
+  bool feasible = false;              ///< best leaves no required slot uncovered
   const char* method = "";            ///< what solved it, or worked on it last
-  Status stopped = Status::kOptimal;  ///< why work on it ended, if not complete
+  Status stopped = Status::kOptimal;  ///< why work on it ended; set by finish()
   std::int64_t evaluations = 0;
   std::int64_t recoveries = 0;
   std::int64_t nodes = 0;
@@ -47,7 +48,10 @@ struct ComponentState {
 /// clock.
 class ComponentSolver {
  public:
+  /// @param required  by slot: whether its singleton is forbidden; empty where none of the problem
+  ///                  is.
   ComponentSolver(const core::Component& component,
+                  std::vector<bool> required,
                   const Options& options,
                   const core::CostGrid& grid,
                   std::uint64_t seed,
@@ -61,8 +65,8 @@ class ComponentSolver {
   /// First stage: exact where that is quick, else relaxation with recovery and local search.
   void start();
 
-  /// Second stage, if not complete: local search, fixing and branching until the gap is at most
-  /// `allowed_gap` (absolute), or a limit strikes.
+  /// Second stage, if not complete: local search, fixing and branching until the gap of a feasible
+  /// packing is at most `allowed_gap` (absolute), or a limit strikes.
   void finish(double allowed_gap);
 
   const ComponentState& state() const { return state_; }
@@ -78,12 +82,16 @@ class ComponentSolver {
   void branch_and_cut(double allowed_gap);
   core::Packing round(const core::Component& core, const cutting::Master& point) const;
   void branch(double allowed_gap);
+  void close_gap(double allowed_gap);
+  Status reason_to_stop(double allowed_gap) const;
+  bool covers_required(const core::Packing& packing) const;
   bool offer(const core::Packing& packing, const char* event);
   void raise_bound(double lower, const char* event);
   bool close_enough(double allowed_gap) const;
   double cutoff() const { return state_.best.cost - precision_.margin; }
 
   const core::Component& component_;
+  const std::vector<bool> required_;
   const Options& options_;
   const core::Deadline& deadline_;
   Monitor& monitor_;

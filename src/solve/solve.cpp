@@ -134,7 +134,7 @@ class Pipeline {
     if (deadline_.reached()) return;
     parts_.resize(partition_.num_components());
     deadline_ = deadline_.earlier(kMergeSecondsPerPart * static_cast<double>(parts_.size()));
-    monitor_.begin(shift_.constant, parts_.size());
+    monitor_.begin(shift_.constant, parts_.size(), num_infeasible());
     tbb::enumerable_thread_specific<core::Cutter> cutters;
     for_all_parts([&](std::size_t p) { prepare_part(p, cutters.local()); });
     is_bounded_ = std::all_of(parts_.begin(), parts_.end(), [](const Part& part) {
@@ -177,8 +177,33 @@ class Pipeline {
       part.component = cutter.cut(problem_, shift_, partition_.component(p), deadline_);
     }
     if (part.component.num_arcs() == 0) return;
-    part.solver = std::make_unique<ComponentSolver>(
-        part.component, options_, grid_, options_.seed + 1000003 * p, deadline_, monitor_);
+    part.solver = std::make_unique<ComponentSolver>(part.component,
+                                                    required(part.component),
+                                                    options_,
+                                                    grid_,
+                                                    options_.seed + 1000003 * p,
+                                                    deadline_,
+                                                    monitor_);
+  }
+
+  // What must become feasible before the whole is: the components, and whatever is in none.
+  std::size_t num_infeasible() const {
+    if (shift_.penalty == 0) return 0;
+    return parts_.size() + (pipeline::indices_without_arcs(problem_).empty() ? 0 : 1);
+  }
+
+  // By slot: whether its singleton is forbidden.
+  std::vector<bool> required(const Component& component) const {
+    if (shift_.penalty == 0) return {};
+    std::vector<bool> required(component.num_slots(), false);
+    for (std::size_t k = 0; k < component.sizes.size(); ++k) {
+      const auto singletons = problem_.singleton_costs(component.dimensions[k]);
+      for (Index i = 1; i <= component.sizes[k]; ++i) {
+        const std::uint32_t slot = component.offset[k] + i;
+        required[slot] = singletons[component.origin[slot]] == kInfinity;
+      }
+    }
+    return required;
   }
 
   // One component with nearly all arcs: then a copy would only cost memory.
@@ -246,7 +271,7 @@ class Pipeline {
     }
     ComponentReport line{part.component.num_arcs(),
                          part.component.num_indices(),
-                         state.complete ? Status::kOptimal : state.stopped,
+                         is_bounded_ ? state.stopped : why_stopped(),
                          state.complete && feasible,
                          feasible ? base + state.best.cost : kInfinity,
                          base + state.lower,
@@ -330,14 +355,22 @@ class Pipeline {
   }
 
   void merge_bounds(Solution& solution) const {
-    solution.stats.certificate_bound = certificate_bound(problem_, solution.multipliers);
-    solution.lower_bound = solution.stats.certificate_bound;
+    const double certificate = certificate_bound(problem_, solution.multipliers);
+    solution.stats.certificate_bound = solution.lower_bound = certificate;
     if (is_bounded_)
       solution.lower_bound = std::max(solution.lower_bound, bound_of_parts(solution));
-    if (!solution.solutions.empty())
+    if (!solution.solutions.empty()) {
       solution.lower_bound = std::min(solution.lower_bound, solution.cost);
-    const double excess = solution.lower_bound - solution.stats.certificate_bound;
-    solution.stats.bound_by_branching = excess > 1e-9 * std::abs(solution.lower_bound);
+      // Where the certificate meets the cost by itself, what branching adds is mere rounding.
+      if (negligible(solution.cost - certificate, solution.cost))
+        solution.lower_bound = certificate;
+    }
+    solution.stats.bound_by_branching = solution.lower_bound > certificate;
+  }
+
+  // Too small to matter beside the cost or beside any cost there is.
+  bool negligible(double difference, double cost) const {
+    return difference <= 1e-9 * std::abs(cost) || difference <= 1e-9 * smallest_cost();
   }
 
   double bound_of_parts(const Solution& solution) const {
@@ -349,41 +382,52 @@ class Pipeline {
     }
     // On a grid a proof to less than a step is a proof of the cost, but for the rounding that put
     // the costs beside their grid points.
-    return exact ? solution.cost - off_grid() : total(&lower_bound) - error;
+    return exact ? solution.cost - off_grid(solution) : total(&lower_bound) - error;
   }
 
   void set_status(Solution& solution) const {
     bool complete = is_bounded_;
-    Status stopped = Status::kIterationLimit;
+    bool on_grid = true;
+    bool infeasible = false;
     double error = 0;
     for (const Part& part : parts_) {
       if (part.solver == nullptr) continue;
       const ComponentState& state = part.solver->state();
-      if (!part.solver->precision().on_grid()) error += 2 * part.solver->precision().error;
+      error += 2 * part.solver->precision().error;
+      on_grid = on_grid && part.solver->precision().on_grid();
       complete = complete && state.complete;
-      if (!state.complete && state.stopped != Status::kOptimal) stopped = state.stopped;
+      infeasible = infeasible || (state.complete && !state.feasible);
     }
-    if (deadline_.interrupted())
-      stopped = Status::kInterrupted;
-    else if (deadline_.expired())
-      stopped = Status::kTimeLimit;
-    if (!missing_.empty()) return set_infeasible(solution, complete, stopped);
-    if (complete && (error <= 1e-9 * std::abs(solution.cost) || error <= 1e-9 * smallest_cost())) {
+    if (!missing_.empty()) return set_infeasible(solution, complete || infeasible);
+    if (complete && (on_grid || negligible(error, solution.cost))) {
       solution.status = Status::kOptimal;
       solution.proven = solution.solutions.front().proven = true;
     } else if (complete) {
       solution.status = Status::kPrecisionLost;
       solution.reason = "the rounding of the costs hides differences of " + figure_text(error);
-    } else if (solution.relative_gap() <= std::max(options_.relative_gap, 1e-9)) {
+    } else if (options_.relative_gap > 0 && solution.relative_gap() <= options_.relative_gap) {
       solution.status = Status::kGapReached;
     } else {
-      solution.status = stopped;
+      solution.status = why_stopped();
     }
   }
 
-  void set_infeasible(Solution& solution, bool complete, Status stopped) const {
+  // The gravest reason of the components that are not complete.
+  Status why_stopped() const {
+    if (!is_bounded_) return deadline_.interrupted() ? Status::kInterrupted : Status::kTimeLimit;
+    for (const Status status :
+         {Status::kInterrupted, Status::kTimeLimit, Status::kNodeLimit, Status::kIterationLimit}) {
+      const auto stopped_so = [&](const Part& part) {
+        return part.solver->state().stopped == status;
+      };
+      if (std::any_of(parts_.begin(), parts_.end(), stopped_so)) return status;
+    }
+    return Status::kGapReached;
+  }
+
+  void set_infeasible(Solution& solution, bool proven) const {
     solution.cost = kInfinity;
-    if (complete || !pipeline::indices_without_arcs(problem_).empty()) {
+    if (proven || !pipeline::indices_without_arcs(problem_).empty()) {
       solution.status = Status::kInfeasible;
       solution.lower_bound = kInfinity;
       solution.multipliers.clear();
@@ -391,25 +435,35 @@ class Pipeline {
       solution.stats.bound_by_branching = true;
       solution.reason = pipeline::infeasibility_reason(problem_, missing_);
     } else {
-      solution.status = stopped;
+      solution.status = why_stopped();
       solution.lower_bound = solution.stats.certificate_bound;
       solution.stats.bound_by_branching = false;
     }
   }
 
-  // Least |c| > 0.
+  // Least |c| > 0; 0 if there is none.
   double smallest_cost() const {
     double least = kInfinity;
     for_each_cost(problem_, [&](double size) {
       if (size > 0) least = std::min(least, size);
     });
-    return least;
+    return least < kInfinity ? least : 0;
   }
 
-  // How far the rounding of its costs may move a solution off the grid.
-  double off_grid() const {
+  // How far the rounding of costs off the grid may let a solution seem cheaper than this one: by
+  // 2^-52 of all absolute costs of the two.  Those of either sum up to at most its cost, and twice
+  // its negative costs.
+  double off_grid(const Solution& solution) const {
     if (grid_.exact) return 0;
-    return 0x1p-52 * static_cast<double>(problem_.num_indices()) * largest_cost(problem_);
+    double most_negative = 0;
+    const auto note = [&](double cost) { most_negative = std::min(most_negative, cost); };
+    std::for_each(problem_.costs().begin(), problem_.costs().end(), note);
+    for (int k = 0; k < problem_.num_dimensions(); ++k) {
+      const auto singletons = problem_.singleton_costs(k);
+      std::for_each(singletons.begin(), singletons.end(), note);
+    }
+    const double negative = -static_cast<double>(problem_.num_indices()) * most_negative;
+    return 0x1p-52 * (2 * std::abs(solution.cost) + 4 * negative);
   }
 
   const Problem& problem_;
@@ -431,6 +485,7 @@ class Pipeline {
 }  // namespace
 
 Solution solve(const Problem& problem, const Options& options) {
+  if (problem.num_dimensions() == 0) throw InputError("the problem was moved from: 0 dimensions");
   validate(options);
   return Pipeline(problem, options).run();
 }

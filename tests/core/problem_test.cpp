@@ -98,6 +98,14 @@ TEST(ProblemBuilder, NamesWhatIsWrong) {
   EXPECT_EQ(builder.num_arcs(), 0u);
 }
 
+TEST(ProblemBuilder, GivesItsProblemAwayOnce) {
+  ProblemBuilder builder({1, 1});
+  const Problem problem = std::move(builder).build();
+  EXPECT_EQ(problem.num_dimensions(), 2);
+  EXPECT_THAT(message_of([&] { std::move(builder).build(); }), HasSubstr("given its problem away"));
+  EXPECT_THROW(builder.add_arc({1, 1}, 1), InputError);
+}
+
 TEST(Problem, FindsArcsByTuple) {
   ProblemBuilder builder({2, 2, 2});
   builder.add_arc({1, 0, 2}, 2);

@@ -169,5 +169,16 @@ TEST(Files, OfTheSharedCollectionAreReadable) {
   EXPECT_GT(num_files, 0);
 }
 
+TEST(Files, RefuseAProblemThatWasMovedFrom) {
+  const TemporaryFolder folder;
+  Problem problem = parse_problem(kText);
+  const Problem moved = std::move(problem);
+  EXPECT_THROW(write_problem(problem, folder / "a.nda"), InputError);
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.nda"));
+  std::ostringstream text;
+  EXPECT_THROW(write_problem(problem, text), InputError);
+  EXPECT_EQ(text.str(), "");
+}
+
 }  // namespace
 }  // namespace nda::io

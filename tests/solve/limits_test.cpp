@@ -2,10 +2,13 @@
 #include <gtest/gtest.h>
 #include <time.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
+#include <memory>
 #include <thread>
 
 #include "core/clock.hpp"
@@ -36,6 +39,11 @@ void expect_usable(const Problem& problem, const Solution& solution) {
   EXPECT_LE(solution.lower_bound, solution.cost);
   EXPECT_TRUE(std::isfinite(solution.lower_bound));
   EXPECT_EQ(solution.proven, solution.status == Status::kOptimal);
+  EXPECT_EQ(solution.stats.bound_by_branching,
+            solution.lower_bound > solution.stats.certificate_bound);
+  for (const ComponentReport& component : solution.components) {
+    EXPECT_EQ(component.proven, component.status == Status::kOptimal);
+  }
 }
 
 double cpu_seconds() {
@@ -165,7 +173,7 @@ TEST(ProgressCallback, ThatReturnsFalseStops) {
     options.progress = [&](const Progress&) { return ++calls < calls_wanted; };
     const Solution solution = solve(hard_problem(), options);
     EXPECT_EQ(solution.status, Status::kInterrupted);
-    EXPECT_GE(calls, calls_wanted);
+    EXPECT_EQ(calls, calls_wanted) << "it is not called again";
     expect_usable(hard_problem(), solution);
   }
 }
@@ -211,6 +219,57 @@ TEST(ProgressCallback, IsNeverCalledConcurrently) {
   };
   solve(problem_of_many_components(), options);
   EXPECT_EQ(most, 1);
+}
+
+// Perfect matchings only, and a heuristic that is not made for them.
+TEST(ProgressCallback, SeesNoCostBeforeASolutionIsKnown) {
+  for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
+    SCOPED_TRACE(seed);
+    Map3Options map3;
+    map3.size = 10;
+    map3.seed = seed;
+    const Problem problem = generate_map3(map3).problem;
+    const double dearest = *std::max_element(problem.costs().begin(), problem.costs().end());
+    Options options;
+    std::vector<Progress> seen;
+    options.progress = [&](const Progress& progress) {
+      seen.push_back(progress);
+      return true;
+    };
+    const Solution solution = solve(problem, options);
+    ASSERT_FALSE(seen.empty());
+    for (const Progress& progress : seen) {
+      EXPECT_TRUE(progress.cost == kInfinity || progress.cost <= 10 * dearest) << progress.cost;
+    }
+    EXPECT_EQ(seen.back().cost, solution.cost);
+  }
+}
+
+TEST(ProgressCallback, SeesNoCostOfAnInfeasibleProblem) {
+  for (const support::TinyProblem& tiny : support::all_tiny_problems()) {
+    SCOPED_TRACE(tiny.name);
+    Options options;
+    double least = kInfinity;
+    options.progress = [&](const Progress& progress) {
+      least = std::min(least, progress.cost);
+      return true;
+    };
+    solve(tiny.problem, options);
+    if (!tiny.optimum) EXPECT_EQ(least, kInfinity);
+  }
+}
+
+TEST(ProgressCallback, SeesTheLastComponentDone) {
+  for (const Problem* problem : {&problem_of_many_components(), &small_hard_problem()}) {
+    Options options;
+    Progress last;
+    options.progress = [&](const Progress& progress) {
+      last = progress;
+      return true;
+    };
+    EXPECT_EQ(solve(*problem, options).status, Status::kOptimal);
+    EXPECT_EQ(last.components_done, last.num_components);
+  }
 }
 
 TEST(NodeLimit, StopsBranching) {
@@ -260,6 +319,79 @@ TEST(Relaxation, ProvesWhatHasNoGap) {
     EXPECT_EQ(solve(tiny.problem, options).status, Status::kOptimal);
   }
   EXPECT_EQ(solve(support::odd_cycle().problem, options).status, Status::kIterationLimit);
+}
+
+// Options that end a solve early in one of all ways.
+Options limited_options(core::Random& random) {
+  Options options;
+  options.branch.exact_arcs = random.below(2) == 0 ? 0 : 20;
+  options.relaxation.max_evaluations = 1 + static_cast<int>(random.below(20));
+  options.search.local_search = random.below(2) == 0;
+  switch (random.below(5)) {
+    case 0:
+      options.time_limit_s = std::pow(10, random.uniform(-9, -3));
+      break;
+    case 1:
+      options.relative_gap = random.below(4) == 0 ? kInfinity : std::pow(10, random.uniform(-3, 1));
+      break;
+    case 2:
+      options.branch.max_nodes = static_cast<std::int64_t>(random.below(4));
+      break;
+    case 3:
+      options.method = Method::kRelaxation;
+      break;
+    default:
+      const auto calls = std::make_shared<std::uint64_t>(random.below(8));
+      options.progress = [calls](const Progress&) { return (*calls)-- > 0; };
+  }
+  return options;
+}
+
+// Whether this status can follow from these options.
+bool may_end_so(Status status, const Options& options) {
+  switch (status) {
+    case Status::kOptimal:
+    case Status::kInfeasible:
+      return true;
+    case Status::kGapReached:
+      return options.relative_gap > 0;
+    case Status::kTimeLimit:
+      return options.time_limit_s < kInfinity;
+    case Status::kIterationLimit:
+      return options.method == Method::kRelaxation;
+    case Status::kNodeLimit:
+      return options.branch.max_nodes < std::numeric_limits<std::int64_t>::max();
+    case Status::kInterrupted:
+      return options.progress != nullptr;
+    case Status::kPrecisionLost:
+      return false;
+  }
+  return false;
+}
+
+TEST(Status, SaysWhyEveryComponentEnded) {
+  std::map<Status, int> count;
+  for (std::uint64_t seed = 0; seed < 1500; ++seed) {
+    SCOPED_TRACE(seed);
+    core::Random random(seed);
+    support::RandomProblemOptions shape;
+    shape.sizes.assign(3 + random.below(2), 5);
+    shape.num_arcs = 10 + static_cast<int>(random.below(30));
+    shape.singletons = static_cast<support::SingletonKind>(random.below(4));
+    shape.sign = static_cast<support::SignKind>(random.below(3));
+    const Problem problem = support::random_problem(seed, shape);
+    const Options options = limited_options(random);
+    const Solution solution = solve(problem, options);
+    EXPECT_THAT(check(problem, solution).faults, IsEmpty());
+    EXPECT_TRUE(may_end_so(solution.status, options)) << to_string(solution.status);
+    for (const ComponentReport& component : solution.components) {
+      EXPECT_EQ(component.proven, component.status == Status::kOptimal);
+      EXPECT_TRUE(may_end_so(component.status, options)) << to_string(component.status);
+      ++count[component.status];
+    }
+    if (HasFailure()) return;
+  }
+  EXPECT_EQ(count.size(), 7u) << "all but precision_lost";
 }
 
 // Random problems of all signs, and the gap asked for.

@@ -11,6 +11,7 @@
 namespace nda::pipeline {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
 TEST(Monitor, AddsUpWhatTheComponentsReport) {
@@ -20,7 +21,7 @@ TEST(Monitor, AddsUpWhatTheComponentsReport) {
     return true;
   };
   Monitor monitor(callback, std::stop_source());
-  monitor.begin(100, 2);
+  monitor.begin(100, 2, 0);
   monitor.add_component(-10);
   monitor.moved(-3, 0, "greedy");
   monitor.add_component(-20);
@@ -48,18 +49,36 @@ TEST(Monitor, AsksToStopWhenTheCallbackSaysSo) {
     return ++calls < 2;
   };
   Monitor monitor(callback, stop);
-  monitor.begin(0, 1);
+  monitor.begin(0, 1, 0);
   monitor.moved(-1, 0, "greedy");
   EXPECT_FALSE(stop.stop_requested());
   monitor.moved(-1, 0, "greedy");
   EXPECT_TRUE(stop.stop_requested());
+  monitor.moved(-1, 0, "greedy");
+  EXPECT_EQ(calls, 2) << "it has said all it has to say";
+}
+
+TEST(Monitor, KnowsNoCostBeforeAllComponentsAreFeasible) {
+  std::vector<double> costs;
+  const std::function<bool(const Progress&)> callback = [&](const Progress& progress) {
+    costs.push_back(progress.cost);
+    return true;
+  };
+  Monitor monitor(callback, std::stop_source());
+  monitor.begin(1000, 2, 2);
+  monitor.component_feasible();
+  monitor.moved(-100, 0, "greedy");
+  monitor.moved(-300, 0, "greedy");
+  monitor.component_feasible();
+  monitor.moved(-500, 0, "recovery");
+  EXPECT_THAT(costs, ElementsAre(kInfinity, kInfinity, 100));
 }
 
 TEST(Monitor, NeedsNoCallback) {
   std::stop_source stop;
   const std::function<bool(const Progress&)> none;
   Monitor monitor(none, stop);
-  monitor.begin(0, 1);
+  monitor.begin(0, 1, 0);
   monitor.add_component(-1);
   monitor.moved(-1, 0, "greedy");
   EXPECT_FALSE(stop.stop_requested());

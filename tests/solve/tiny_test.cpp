@@ -174,5 +174,11 @@ TEST(Reports, CountTheWork) {
   EXPECT_EQ(solution.components.at(0).method, "branch and cut");
 }
 
+TEST(Solve, RefusesAProblemThatWasMovedFrom) {
+  Problem problem = support::odd_cycle().problem;
+  const Problem moved = std::move(problem);
+  EXPECT_THROW(solve(problem), InputError);
+}
+
 }  // namespace
 }  // namespace nda
