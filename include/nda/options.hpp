@@ -25,7 +25,7 @@ enum class RecoveryMethod {
 /// How a component is solved.
 enum class Method {
   kAuto,        ///< small ones exactly, large ones by relaxation, fixing and branching
-  kRelaxation,  ///< the report's algorithm alone: relaxation and recovery, no branching
+  kRelaxation,  ///< the report's algorithm alone: relaxation and recovery, nothing else
   kExact,       ///< branch and bound from the start
 };
 
@@ -36,7 +36,8 @@ struct RelaxationOptions {
   RecoveryMethod recovery = RecoveryMethod::kRecursive;
   int max_evaluations = 300;         ///< of the dual function of each large component; >= 1
   int recovery_evaluations = 20;     ///< of each lower-dimensional recovery problem; >= 1
-  int recovery_interval = 10;        ///< recover at every so many evaluations; >= 1
+  int recovery_interval = 10;  ///< recover at every so many evaluations, at every one in three
+                               ///< dimensions, and at the best; >= 1
   double relative_tolerance = 1e-7;  ///< stop when the predicted increase falls below; >= 0
 };
 

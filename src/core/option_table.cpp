@@ -147,7 +147,7 @@ void add_relaxation(std::vector<OptionRow>& rows) {
       "relaxation.recovery_interval",
       [](auto& options) -> auto& { return options.relaxation.recovery_interval; },
       {1},
-      "recover at every so many evaluations"));
+      "recover at every so many evaluations, at every one in three dimensions, and at the best"));
   rows.push_back(number<double>(
       "relaxation.relative_tolerance",
       [](auto& options) -> auto& { return options.relaxation.relative_tolerance; },

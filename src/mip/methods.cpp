@@ -29,7 +29,6 @@ Options relaxation_by(const char* dual_method) {
   Options options;
   core::set_option("method", "relaxation", options);
   core::set_option("relaxation.dual_method", dual_method, options);
-  options.branch.exact_arcs = 0;
   return options;
 }
 

@@ -8,8 +8,8 @@
 
 // The report recovers once, from the optimal multipliers; but its own implementation recovers at
 // every nonsmooth step once the problem is three-dimensional, because neighbouring multipliers give
-// different alignments and each is a new chance.  `recovery_interval` covers both. A packing of
-// cost z recovered on the way ends the loop when the bound reaches z: hence the goal moves.
+// different alignments and each is a new chance.  `recovery_interval` lies between the two; the best
+// multipliers always have their recovery. A packing of cost z recovered on the way ends the loop when the bound reaches z: hence the goal moves.
 
 namespace nda::relax {
 namespace {
@@ -33,24 +33,26 @@ class Loop {
 
   // Returns false to stop.
   bool observe(const dual::Iterate& iterate) {
-    const double step_s = step_.seconds();
+    step_s_ = step_.seconds();
     ++result_.evaluations;
     if (iterate.value > best_value_) {
       best_value_ = iterate.value;
       best_point_.assign(iterate.point.begin(), iterate.point.end());
       function_.multipliers(best_multipliers_);
+      recovered_at_best_ = false;
     }
     if (options_.recovery_interval > 0 &&
         (result_.evaluations - 1) % options_.recovery_interval == 0) {
       recover();
+      recovered_at_best_ = recovered_at_best_ || iterate.value == best_value_;
     }
     step_ = {};
-    return best_value_ < goal() && !deadline_.reached() && deadline_.remaining_s() > step_s;
+    return best_value_ < goal() && has_time();
   }
 
   void recover_at_best() {
-    if (options_.recovery_interval > 0 || !recover_ || best_point_.empty()) return;
-    if (deadline_.reached()) return;
+    if (!recover_ || recovered_at_best_ || best_point_.empty()) return;
+    if (result_.recoveries > 0 && (best_value_ >= goal() || !has_time())) return;
     std::vector<double> subgradient(best_point_.size());
     function_.evaluate(best_point_, subgradient);
     recover();
@@ -60,6 +62,8 @@ class Loop {
   double goal() const {
     return std::min(options_.goal, result_.recoveries > 0 ? result_.best.cost : kInfinity);
   }
+
+  bool has_time() const { return !deadline_.reached() && deadline_.remaining_s() > step_s_; }
 
   void recover() {
     if (!recover_) return;
@@ -72,10 +76,12 @@ class Loop {
   const Recover& recover_;
   const core::Deadline deadline_;
   core::Stopwatch step_;  // since the last observation
+  double step_s_ = 0;     // what the last evaluation took
   DualFunction function_;
   std::vector<double> best_multipliers_;
   std::vector<double> best_point_;
   double best_value_ = -kInfinity;
+  bool recovered_at_best_ = false;
   LagrangianResult result_;
 };
 

@@ -21,7 +21,7 @@ struct LagrangianOptions {
   int bundle_size = 40;  ///< subgradients that the bundle keeps
   double relative_tolerance = 1e-7;
   int recovery_interval =
-      1;  ///< recover at evaluations 1, 1 + interval, ...; 0 = only at the best point, at the end
+      1;  ///< recover at evaluations 1, 1 + interval, ... (0 = at none), and at the best point
   double goal = kInfinity;  ///< stop once the bound reaches it: nothing cheaper is wanted
   bool certify = true;      ///< make the multipliers feasible at the end: without it lower is -inf
   core::Deadline deadline;

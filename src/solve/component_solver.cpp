@@ -109,6 +109,7 @@ relax::LagrangianOptions ComponentSolver::loop_options(const Component& componen
 void ComponentSolver::start() {
   if (deadline_.reached()) return;
   if (component_.num_dimensions() == 2) return solve_assignment();
+  if (options_.method == Method::kRelaxation) return relax();
   const bool small =
       component_.num_arcs() <= options_.branch.exact_arcs || options_.method == Method::kExact;
   if (small && options_.branch.max_nodes > 0) enumerate();
@@ -223,7 +224,8 @@ void ComponentSolver::relax() {
   state_.method = "relaxation";
   relax::LagrangianOptions loop = loop_options(component_);
   loop.max_evaluations = options_.relaxation.max_evaluations;
-  loop.recovery_interval = options_.relaxation.recovery_interval;
+  loop.recovery_interval =
+      component_.num_dimensions() == 3 ? 1 : options_.relaxation.recovery_interval;
   loop.goal = cutoff();
   const auto recovery = recovery::make_recovery(options_.relaxation.recovery,
                                                 component_,

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "support/components.hpp"
 #include "support/tiny_problems.hpp"
 
@@ -132,21 +135,35 @@ TEST(MaximizeDual, StopsWhenTheBoundMeetsARecoveredPacking) {
   EXPECT_EQ(stopped.best.cost, fake.cost);
 }
 
-TEST(MaximizeDual, RecoversAtTheFirstEvaluationAndEveryIntervalAfter) {
+// The multipliers at every recovery of 20 evaluations.
+std::vector<std::vector<double>> recovered_at(const Component& component, int interval) {
+  LagrangianOptions options;
+  options.max_evaluations = 20;
+  options.recovery_interval = interval;
+  std::vector<std::vector<double>> points;
+  const LagrangianResult result = maximize_dual(component, {}, options, [&](const auto& point) {
+    points.emplace_back(component.num_slots());
+    point.multipliers(points.back());
+    return recover_nothing(point);
+  });
+  EXPECT_EQ(result.evaluations, 20);
+  EXPECT_EQ(static_cast<std::size_t>(result.recoveries), points.size());
+  return points;
+}
+
+TEST(MaximizeDual, RecoversAtTheFirstEvaluationEveryIntervalAfterAndAtTheBest) {
   const Component component = slow_component();
-  for (const int interval : {1, 3, 7}) {
+  const std::vector<std::vector<double>> all = recovered_at(component, 1);
+  ASSERT_EQ(all.size(), 20u);
+  const std::vector<double> best = recovered_at(component, 0).at(0);
+  for (const int interval : {2, 3, 7, 100}) {
     SCOPED_TRACE(interval);
-    LagrangianOptions options;
-    options.max_evaluations = 20;
-    options.recovery_interval = interval;
-    int calls = 0;
-    const LagrangianResult result = maximize_dual(component, {}, options, [&](const auto& point) {
-      ++calls;
-      return recover_nothing(point);
-    });
-    ASSERT_EQ(result.evaluations, 20);
-    EXPECT_EQ(calls, (20 + interval - 1) / interval);
-    EXPECT_EQ(result.recoveries, calls);
+    std::vector<std::vector<double>> expected;
+    for (std::size_t e = 0; e < all.size(); e += static_cast<std::size_t>(interval))
+      expected.push_back(all[e]);
+    if (std::find(expected.begin(), expected.end(), best) == expected.end())
+      expected.push_back(best);
+    EXPECT_EQ(recovered_at(component, interval), expected);
   }
 }
 
