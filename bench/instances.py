@@ -1,20 +1,25 @@
 #!/usr/bin/python3
 """Every public instance of ../shared/data/arcs, solved and judged.
 
-    bench/instances.py [--time-limit S] [--csv FILE] [PATTERN...]
+    bench/instances.py [--time-limit S] [--csv FILE] [--markdown FILE] [PATTERN...]
 
 solves each file on one core with build/release/nda, has `nda check` verify the solution, and compares cost and bound with the listed
 reference values: cost within 1 % (tracking, real, assignment) or within 5 % or 3 units (the others), bound never below the listed
 value of the linear relaxation by more than 0.1 %, proven optimal wherever that value equals the optimum.  PATTERN selects files
-by a part of their path.  Exit code 1 when a file misses a mark.
+by a part of their path.  Exit code 1 when a file misses a mark.  docs/benchmarks/instances.md is written by
+
+    bench/instances.py --time-limit 60 --markdown docs/benchmarks/instances.md
 """
 
 import argparse
+import collections
 import csv
 import gzip
+import itertools
 import json
 import pathlib
 import re
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -23,6 +28,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 ARCS = ROOT.parent / "shared/data/arcs"
 NDA = ROOT / "build/release/nda"
 ASSIGNMENT_OPTIMA = {"assign100": 305.0, "assign200": 475.0, "assign300": 626.0, "assign400": 804.0}
+
+Row = collections.namedtuple("Row", "family file best cost lower_bound gap_percent seconds proven misses")
 
 
 def rows(path):
@@ -101,10 +108,82 @@ def faults(path, solution, checked, best, relaxation):
     return found
 
 
+PAGE = """# Every public instance
+
+Written by `bench/instances.py --time-limit {limit:g} --markdown FILE`: {limit:g} s each on one core, no reading, the answers verified by
+`nda check`; the times are those of the machine it ran on.  {count} files, {proven} proven optimal, {bad} miss a mark (the marks
+stand at the top of the script; the best known values come with the instances).
+
+| family | files | proven | median s | slowest s | largest gap, % | largest excess over the best known, % |
+|---|---|---|---|---|---|---|
+{families}
+
+{tables}
+"""
+
+
+def family_row(family, rows):
+    seconds = [row.seconds for row in rows]
+    excess = max(100 * (row.cost - row.best) / max(1e-9, abs(row.best)) for row in rows)
+    return (
+        f"| {family} | {len(rows)} | {sum(row.proven for row in rows)} | {statistics.median(seconds):.3f} | {max(seconds):.2f} "
+        f"| {max(row.gap_percent for row in rows):.3f} | {max(0.0, excess):.3f} |"
+    )
+
+
+def family_table(family, rows):
+    lines = [f"## {family}\n", "| file | best known | cost | lower bound | gap, % | s | proven | misses |", "|---" * 8 + "|"]
+    lines += [
+        f"| {row.file} | {row.best:.4f} | {row.cost:.4f} | {row.lower_bound:.4f} | {row.gap_percent:.3f} | {row.seconds:.3f} "
+        f"| {'yes' if row.proven else 'no'} | {row.misses} |"
+        for row in rows
+    ]
+    return "\n".join(lines)
+
+
+def page(table, limit):
+    families = {family: list(rows) for family, rows in itertools.groupby(table, lambda row: row.family)}
+    return PAGE.format(
+        limit=limit,
+        count=len(table),
+        proven=sum(row.proven for row in table),
+        bad=sum(bool(row.misses) for row in table),
+        families="\n".join(family_row(*item) for item in families.items()),
+        tables="\n\n".join(family_table(*item) for item in families.items()),
+    )
+
+
+def judge(path, known, time_limit, folder):
+    best, relaxation = known[path.name]
+    solution, checked = run(path, time_limit, folder)
+    cost = solution["cost"] if isinstance(solution["cost"], (int, float)) else float("inf")
+    bound = solution["lower_bound"]
+    return Row(
+        path.parent.name,
+        path.name,
+        best,
+        cost,
+        bound,
+        100 * (cost - bound) / max(1e-9, abs(cost)),
+        solution["stats"]["solve_seconds"],
+        solution["proven"],
+        " ".join(faults(path, solution, checked, best, relaxation)),
+    )
+
+
+def print_row(row):
+    print(
+        f"{row.file:38} {row.best:14.4f} {row.cost:14.4f} {row.lower_bound:14.4f} {row.gap_percent:8.3f} {row.seconds:7.2f} "
+        f"{'yes' if row.proven else 'no':6}  {row.misses}",
+        flush=True,
+    )
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--time-limit", type=float, default=60.0)
     parser.add_argument("--csv", type=pathlib.Path)
+    parser.add_argument("--markdown", type=pathlib.Path)
     parser.add_argument("pattern", nargs="*")
     arguments = parser.parse_args()
     known = references()
@@ -114,26 +193,17 @@ def main():
         for path in sorted(ARCS.glob("*/*.nda*")):
             if arguments.pattern and not any(p in str(path) for p in arguments.pattern):
                 continue
-            best, relaxation = known[path.name]
-            solution, checked = run(path, arguments.time_limit, pathlib.Path(folder))
-            missed = faults(path, solution, checked, best, relaxation)
-            cost = solution["cost"] if isinstance(solution["cost"], (int, float)) else float("inf")
-            bound = solution["lower_bound"]
-            gap = 100 * (cost - bound) / max(1e-9, abs(cost))
-            seconds = solution["stats"]["solve_seconds"]
-            print(
-                f"{path.name:38} {best:14.4f} {cost:14.4f} {bound:14.4f} {gap:8.3f} {seconds:7.2f} "
-                f"{'yes' if solution['proven'] else 'no':6}  {', '.join(missed)}",
-                flush=True,
-            )
-            table.append((path.name, best, cost, bound, gap, seconds, solution["proven"], " ".join(missed)))
+            table.append(judge(path, known, arguments.time_limit, pathlib.Path(folder)))
+            print_row(table[-1])
     if arguments.csv:
         with arguments.csv.open("w", newline="") as file:
             writer = csv.writer(file)
-            writer.writerow(("file", "best", "cost", "lower_bound", "gap_percent", "seconds", "proven", "misses"))
+            writer.writerow(Row._fields)
             writer.writerows(table)
-    bad = sum(1 for row in table if row[-1])
-    print(f"{len(table)} files, {sum(1 for row in table if row[6])} proven, {bad} miss a mark")
+    if arguments.markdown:
+        arguments.markdown.write_text(page(table, arguments.time_limit))
+    bad = sum(bool(row.misses) for row in table)
+    print(f"{len(table)} files, {sum(row.proven for row in table)} proven, {bad} miss a mark")
     return 1 if bad else 0
 
 
