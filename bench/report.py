@@ -158,8 +158,8 @@ before everything else, and without it (relaxation, local search, branch and cut
 ## Figure 5.1: time against arcs
 
 Four dimensions, 25 indices each on average, costs uniform in [-100, -1], 20 nonsmooth steps, means over 10 problems of the least
-time of 25 runs, which go round all points in turn; time of the processor.  The report: linear growth, the cost evaluation dominates, the
-gap between the lines grows slightly.
+time of 25 runs, which go round all points in turn; time of the processor, of the cost evaluations by themselves.  The report:
+linear growth, the cost evaluation dominates, the gap between the lines grows slightly.
 
 ![time against arcs](images/report-5.1.png)
 

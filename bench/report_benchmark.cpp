@@ -20,6 +20,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@
 #include "nda/generate.hpp"
 #include "nda/solve.hpp"
 #include "recovery/recursive.hpp"
+#include "relax/collapse.hpp"
 #include "relax/lagrangian.hpp"
 
 namespace {
@@ -38,10 +40,25 @@ using nda::core::Component;
 
 struct Run {
   double seconds = 0;           // of the processor
-  double collapse_seconds = 0;  // of these for the cost evaluation, on the wall clock
+  double collapse_seconds = 0;  // the same, of as many cost evaluations alone
   double recovered = 0;         // shifted
   double dual = 0;              // shifted
 };
+
+double seconds_since(std::clock_t begin) {
+  return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+}
+
+// A clock of the processor is too slow to be read around every cost evaluation of a run, and the
+// wall clock counts what else the machine does: so they are timed by themselves, all at once.
+double time_collapse(const Component& component, std::span<const double> u, int evaluations) {
+  const nda::relax::Cells cells = nda::relax::find_cells(component);
+  std::vector<double> d(cells.num_cells());
+  std::vector<nda::core::ArcId> arc(cells.num_cells());
+  const std::clock_t begin = std::clock();
+  for (int e = 0; e < evaluations; ++e) nda::relax::collapse(component, cells, u, d, arc);
+  return seconds_since(begin);
+}
 
 // The report's algorithm with m = 2: maximise, then recover.
 Run relax_and_recover(const Component& component, int steps, double tolerance, int interval) {
@@ -56,10 +73,10 @@ Run relax_and_recover(const Component& component, int steps, double tolerance, i
   const std::clock_t begin = std::clock();
   const auto result =
       nda::relax::maximize_dual(component, {}, loop, [&](const nda::relax::DualFunction& point) {
-        run.collapse_seconds = point.collapse_seconds();
         return nda::recovery::recover_recursively(component, point, recovery, {});
       });
-  run.seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  run.seconds = seconds_since(begin);
+  run.collapse_seconds = time_collapse(component, result.u, result.evaluations);
   run.recovered = result.best.cost;
   run.dual = result.lower;
   return run;
