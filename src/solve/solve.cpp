@@ -433,7 +433,7 @@ class Pipeline {
       solution.multipliers.clear();
       solution.stats.certificate_bound = -kInfinity;
       solution.stats.bound_by_branching = true;
-      solution.reason = pipeline::infeasibility_reason(problem_, missing_);
+      solution.reason = pipeline::infeasibility_reason(problem_, missing_, deadline_);
     } else {
       solution.status = why_stopped();
       solution.lower_bound = solution.stats.certificate_bound;
