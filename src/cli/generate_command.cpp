@@ -1,5 +1,7 @@
+#include <charconv>
 #include <functional>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <memory>
 #include <string>
@@ -29,11 +31,26 @@ CLI::App* add_family(CLI::App& parent, const char* name, const char* summary, co
   return parser;
 }
 
-// CLI11 would take -1 for the largest unsigned number.
+// CLI11 takes -1, and whatever is too large, for the largest unsigned number.
+template <typename T>
+CLI::Validator whole_number() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        T value{};
+        const char* end = text.data() + text.size();
+        const auto [stop, error] = std::from_chars(text.data(), end, value);
+        if (error == std::errc() && stop == end) return std::string();
+        using Limits = std::numeric_limits<T>;
+        return "'" + text + "' given, it must be a whole number from " +
+               std::to_string(Limits::lowest()) + " to " + std::to_string(Limits::max());
+      },
+      "");
+}
+
 template <typename T>
 CLI::Option* add_option(CLI::App* parser, const std::string& flag, T& value, std::string help) {
   CLI::Option* option = parser->add_option(flag, value, std::move(help));
-  if (std::is_unsigned_v<T>) option->check(at_least(0));
+  if constexpr (std::is_integral_v<T>) option->check(whole_number<T>());
   return option;
 }
 
@@ -43,8 +60,8 @@ CLI::Option* add_row(CLI::App* parser, const Row& row, Options& options) {
   return add_option(parser,
                     generate::flag_of(row.name),
                     options.*row.field,
-                    std::string(row.help) + "; in [" + generate::shortest(row.least) + ", " +
-                        generate::shortest(row.most) + "]");
+                    std::string(row.help) + "; in [" + generate::shortest(row.least, true) + ", " +
+                        generate::shortest(row.most, true) + "]");
 }
 
 Family finish(CLI::App* parser, std::uint64_t& seed, std::function<Instance()> generate) {
@@ -61,8 +78,18 @@ void add_singletons(CLI::App* parser, PlantedSingletons& singletons) {
       {"free", PlantedSingletons::kFree},
       {"priced", PlantedSingletons::kPriced},
       {"forbidden", PlantedSingletons::kForbidden}};
-  parser->add_option("--singletons", singletons, "free, priced or forbidden")
-      ->transform(CLI::CheckedTransformer(kKinds))
+  parser
+      ->add_option_function<std::string>(
+          "--singletons",
+          [&singletons](const std::string& kind) {
+            const auto found = kKinds.find(kind);
+            if (found == kKinds.end()) {
+              throw CLI::ValidationError(
+                  "--singletons", "'" + kind + "' given, it must be free, priced or forbidden");
+            }
+            singletons = found->second;
+          },
+          "free, priced or forbidden")
       ->default_str("free");
 }
 
@@ -129,7 +156,7 @@ int write(const Family& family) {
 }  // namespace
 
 Action declare_generate(CLI::App& parser) {
-  parser.require_subcommand(1);
+  parser.require_subcommand(0, 1);
   parser.footer(
       "docs/families.md defines the families.  The same options give the same file everywhere.\n"
       "\n"
@@ -176,7 +203,7 @@ Action declare_generate(CLI::App& parser) {
     for (const Family& family : families) {
       if (family.parser->parsed()) return write(family);
     }
-    throw InputError("no family given");
+    throw InputError("no family given (nda generate --help lists the families)");
   };
 }
 

@@ -50,10 +50,13 @@ int run(const Action& action) {
 
 // Where to look up the usage of what was asked for.
 std::string advice(const CLI::App& parser) {
-  for (const CLI::App* subcommand : parser.get_subcommands()) {
-    return " (nda " + subcommand->get_name() + " --help shows the usage)";
+  std::string command = "nda";
+  for (const CLI::App* app = &parser; !app->get_subcommands().empty();) {
+    app = app->get_subcommands().front();
+    command += " " + app->get_name();
   }
-  return " (nda --help lists the commands)";
+  return " (" + command + " --help " +
+         (command == "nda" ? "lists the commands)" : "shows the usage)");
 }
 
 // --help and --version end here too; usage errors are one line.

@@ -276,6 +276,7 @@ class Pipeline {
                          feasible ? base + state.best.cost : kInfinity,
                          base + state.lower,
                          state.method};
+    line.lower_bound = std::min(line.lower_bound, line.cost);  // the base may be rounded away
     if (state.complete && !feasible) {
       line.status = Status::kInfeasible;
       line.lower_bound = kInfinity;
@@ -433,7 +434,7 @@ class Pipeline {
       solution.multipliers.clear();
       solution.stats.certificate_bound = -kInfinity;
       solution.stats.bound_by_branching = true;
-      solution.reason = pipeline::infeasibility_reason(problem_, missing_);
+      solution.reason = pipeline::infeasibility_reason(problem_, missing_, deadline_);
     } else {
       solution.status = why_stopped();
       solution.lower_bound = solution.stats.certificate_bound;

@@ -36,6 +36,13 @@ TEST(GenerateCommand, EndsTheHelpOfEveryFamilyInAWorkedExample) {
   }
 }
 
+TEST(GenerateCommand, TakesTheLimitsThatItsHelpLists) {
+  EXPECT_THAT(run({}, "nda generate poore-5.1 --help").output, HasSubstr("in [1, 100000000]"));
+  const Outcome outcome =
+      run({}, "nda generate tracking --targets 1 --scans 2 --group-size 10000000");
+  EXPECT_EQ(outcome.code, 0) << outcome.log;
+}
+
 TEST(GenerateCommand, LetsOptionsOverrideThePreset) {
   const Outcome outcome =
       run({}, "nda generate tracking --preset hard6 --targets 12 --cap 20 | head -1");
@@ -74,11 +81,15 @@ TEST(GenerateCommand, RefusesWhatIsWrongInOneLine) {
       {"tracking --preset giant", "no tracking preset is called giant"},
       {"planted --singletons dear", "--singletons"},
       {"poore-5.1 --arcs many", "--arcs"},
-      {"poore-5.1 --arcs -1", "--arcs: '-1' given, it must be a number, 0 or more"},
-      {"map3 --seed -1", "--seed: '-1' given, it must be a number, 0 or more"},
-      {"tracking --seed -1", "--seed: '-1' given, it must be a number, 0 or more"},
-      {"", "nda generate --help"},
-      {"poore", "nda generate --help"},
+      {"poore-5.1 --arcs -1", "--arcs: '-1' given, it must be a whole number from 0 to "},
+      {"map3 --seed -1", "--seed: '-1' given, it must be a whole number from 0 to "},
+      {"tracking --seed -1", "--seed: '-1' given, it must be a whole number from 0 to "},
+      {"map3 --seed 18446744073709551616", "--seed: '18446744073709551616' given, it must be a "},
+      {"map3 --dimensions 1e1", "it must be a whole number from -2147483648 to 2147483647 (nda ge"},
+      {"planted --singletons 2", "'2' given, it must be free, priced or forbidden"},
+      {"map3 --frobnicate", "--frobnicate (nda generate map3 --help shows the usage)"},
+      {"", "no family given (nda generate --help lists the families)"},
+      {"poore", "poore (nda generate --help shows the usage)"},
       {"map3 --output /nowhere/a.nda", "/nowhere/a.nda"},
   };
   for (const auto& wrong : kCases) {

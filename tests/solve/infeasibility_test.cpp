@@ -59,6 +59,52 @@ TEST(InfeasibilityReason, NamesASetThatNoTwoDimensionsShow) {
             "indices 1, 2 of dimension 1 cannot all be covered");
 }
 
+// Indices 1, 2 of dimension 1 block one another and everybody, whose many arcs hide it.
+TEST(InfeasibilityReason, NamesTheFewThatTheProofNeedsAmongMany) {
+  constexpr Index kSize = 60;
+  ProblemBuilder builder({kSize, kSize, kSize});
+  for (const auto& arc :
+       std::vector<std::vector<Index>>{{1, 1, 1}, {1, 2, 2}, {2, 1, 2}, {2, 2, 1}}) {
+    builder.add_arc(arc, 1);
+  }
+  for (Index i = 3; i <= kSize; ++i) {
+    for (Index j = 1; j <= kSize; ++j) builder.add_arc({i, j, (i + j) % kSize + 1}, 1);
+  }
+  for (Index i = 1; i <= kSize; ++i) {
+    builder.add_arc({i, 0, 0}, kInfinity);
+    builder.add_arc({0, i, 0}, kInfinity);
+    builder.add_arc({0, 0, i}, kInfinity);
+  }
+  const Problem problem = std::move(builder).build();
+  EXPECT_EQ(infeasibility_reason(problem, {{0, 1}}),
+            "indices 1, 2 of dimension 1 cannot all be covered");
+}
+
+// What every arc is in conflict with, over and over, took minutes and all the memory.
+TEST(InfeasibilityReason, LooksAtAnArcOnceAStep) {
+  constexpr Index kSize = 20000;
+  ProblemBuilder builder({5, kSize, kSize, kSize, kSize});
+  for (Index i = 1; i <= kSize; ++i) {
+    builder.add_arc({i % 5 + 1, i, i, i, i}, 1);
+    for (int k = 1; k < 5; ++k) {
+      std::vector<Index> alone(5, 0);
+      alone[static_cast<std::size_t>(k)] = i;
+      builder.add_arc(alone, kInfinity);
+    }
+  }
+  for (Index i = 1; i <= 5; ++i) builder.add_arc({i, 0, 0, 0, 0}, kInfinity);
+  const Problem problem = std::move(builder).build();
+  EXPECT_THAT(infeasibility_reason(problem, {{0, 1}}), HasSubstr("cannot all be covered"));
+}
+
+TEST(InfeasibilityReason, IsNotLookedForAfterTheDeadline) {
+  EXPECT_THAT(infeasibility_reason(rows_and_columns(2, 1), {{0, 2}}, core::Deadline(0)),
+              HasSubstr("at least 1 stays uncovered"));
+  EXPECT_THAT(
+      infeasibility_reason(support::infeasible_by_parity().problem, {{0, 2}}, core::Deadline(0)),
+      HasSubstr("at least 1 stays uncovered"));
+}
+
 TEST(InfeasibilityReason, SaysHowManyWhereItFindsNoSet) {
   EXPECT_EQ(infeasibility_reason(rows_and_columns(3, 3), {{0, 3}}),
             "not all indices with forbidden singletons can be covered at once: at least 1 stays "
