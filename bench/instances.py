@@ -3,7 +3,7 @@
 
     bench/instances.py [--time-limit S] [--csv FILE] [--markdown FILE] [PATTERN...]
 
-solves each file on one core with build/release/nda, has `nda check` verify the solution, and compares cost and bound with the listed
+solves each file on one core with build/release/nda, has `nda check` verify the solution and the proof of its bound, and compares cost and bound with the listed
 reference values: cost within 1 % (tracking, real, assignment) or within 5 % or 3 units (the others), bound never below the listed
 value of the linear relaxation by more than 0.1 %, proven optimal wherever that value equals the optimum.  PATTERN selects files
 by a part of their path.  Exit code 1 when a file misses a mark.  docs/benchmarks/instances.md is written by
@@ -23,13 +23,16 @@ import statistics
 import subprocess
 import sys
 import tempfile
+import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 ARCS = ROOT.parent / "shared/data/arcs"
 NDA = ROOT / "build/release/nda"
 ASSIGNMENT_OPTIMA = {"assign100": 305.0, "assign200": 475.0, "assign300": 626.0, "assign400": 804.0}
 
-Row = collections.namedtuple("Row", "family file best cost lower_bound gap_percent seconds proven misses")
+Row = collections.namedtuple("Row", "family file best cost lower_bound gap_percent seconds proven check_seconds proof_bytes misses")
+
+Checked = collections.namedtuple("Checked", "passed seconds proof_bytes")
 
 
 def rows(path):
@@ -75,20 +78,22 @@ def is_close_family(path):
 
 
 def run(path, time_limit, folder):
-    output = folder / "solution.json"
+    output, proof = folder / "solution.json", folder / "proof.gz"
     subprocess.run(
-        [NDA, "solve", "--quiet", path, "--time-limit", str(time_limit), "--output", output],
+        [NDA, "solve", "--quiet", path, "--time-limit", str(time_limit), "--output", output, "--proof", proof],
         stdout=subprocess.DEVNULL,
         check=False,
     )
-    checked = subprocess.run([NDA, "check", path, output], stdout=subprocess.DEVNULL, check=False).returncode == 0
+    begin = time.perf_counter()
+    check = subprocess.run([NDA, "check", path, output, "--proof", proof], stdout=subprocess.DEVNULL, check=False)
+    checked = Checked(check.returncode == 0, time.perf_counter() - begin, proof.stat().st_size)
     return json.loads(output.read_text()), checked
 
 
 def faults(path, solution, checked, best, relaxation):
     """What this result misses, as short words."""
     found = []
-    if not checked:
+    if not checked.passed:
         found.append("check")
     if not solution["solutions"]:
         return found + ["no solution"]
@@ -110,12 +115,12 @@ def faults(path, solution, checked, best, relaxation):
 
 PAGE = """# Every public instance
 
-Written by `bench/instances.py --time-limit {limit:g} --markdown FILE`: {limit:g} s each on one core, no reading, the answers verified by
+Written by `bench/instances.py --time-limit {limit:g} --markdown FILE`: {limit:g} s each on one core, no reading, answers and proofs verified by
 `nda check`; the times are those of the machine it ran on.  {count} files, {proven} proven optimal, {bad} miss a mark (the marks
 stand at the top of the script; the best known values come with the instances).
 
-| family | files | proven | median s | slowest s | largest gap, % | largest excess over the best known, % |
-|---|---|---|---|---|---|---|
+| family | files | proven | median s | slowest s | slowest check, s | largest proof, kB | largest gap, % | largest excess over the best known, % |
+|---|---|---|---|---|---|---|---|---|
 {families}
 
 {tables}
@@ -127,15 +132,16 @@ def family_row(family, rows):
     excess = max(100 * (row.cost - row.best) / max(1e-9, abs(row.best)) for row in rows)
     return (
         f"| {family} | {len(rows)} | {sum(row.proven for row in rows)} | {statistics.median(seconds):.3f} | {max(seconds):.2f} "
+        f"| {max(row.check_seconds for row in rows):.2f} | {max(row.proof_bytes for row in rows) / 1000:.0f} "
         f"| {max(row.gap_percent for row in rows):.3f} | {max(0.0, excess):.3f} |"
     )
 
 
 def family_table(family, rows):
-    lines = [f"## {family}\n", "| file | best known | cost | lower bound | gap, % | s | proven | misses |", "|---" * 8 + "|"]
+    lines = [f"## {family}\n", "| file | best known | cost | lower bound | gap, % | s | proven | check, s | proof, kB | misses |", "|---" * 10 + "|"]
     lines += [
         f"| {row.file} | {row.best:.4f} | {row.cost:.4f} | {row.lower_bound:.4f} | {row.gap_percent:.3f} | {row.seconds:.3f} "
-        f"| {'yes' if row.proven else 'no'} | {row.misses} |"
+        f"| {'yes' if row.proven else 'no'} | {row.check_seconds:.3f} | {row.proof_bytes / 1000:.1f} | {row.misses} |"
         for row in rows
     ]
     return "\n".join(lines)
@@ -167,6 +173,8 @@ def judge(path, known, time_limit, folder):
         100 * (cost - bound) / max(1e-9, abs(cost)),
         solution["stats"]["solve_seconds"],
         solution["proven"],
+        checked.seconds,
+        checked.proof_bytes,
         " ".join(faults(path, solution, checked, best, relaxation)),
     )
 

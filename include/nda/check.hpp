@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "nda/problem.hpp"
+#include "nda/proof.hpp"
 #include "nda/solution.hpp"
 
 namespace nda {
@@ -15,7 +16,7 @@ struct CheckReport {
   bool feasible = false;
   bool cost_right = false;  ///< there is a solution, and every stated cost is the recomputed one
                             ///< (1e-9 relative)
-  /// The multipliers prove the stated bound; of an infeasible problem: some index has no arc and a
+  /// The multipliers, or the proof that was given, prove the stated bound; of an infeasible problem: some index has no arc and a
   /// forbidden singleton.
   bool bound_right = false;
   /// The stated bound (or infeasibility) is said to rest on the search, and nothing denies it:
@@ -23,6 +24,7 @@ struct CheckReport {
   bool bound_by_branching = false;
   double cost = kInfinity;                ///< recomputed, of the first solution
   double certificate_bound = -kInfinity;  ///< recomputed from the multipliers, rounded down
+  double proof_bound = -kInfinity;        ///< what the proof shows; -inf without one
   std::vector<std::string> faults;        ///< one sentence each; empty when nothing is wrong
 
   /// Nothing is wrong.  A bound by branching passes: read bound_right for what is checked.
@@ -38,6 +40,11 @@ struct CheckReport {
 /// stated certificate above the real one, a bound above the cost.  Why a solve stopped, and for
 /// gap_reached which gap was asked for, is not in the file and is not judged.
 CheckReport check(const Problem& problem, const Solution& solution);
+
+/// The same with a proof of the bound, see check_proof(): what branching adds to the certificate is
+/// then judged too.  A proof with a fault is a fault, and so is one that falls short of the bound of
+/// a cost that is stated to be proven; else it may, as limits leave trees unfinished.
+CheckReport check(const Problem& problem, const Solution& solution, const Proof& proof);
 
 /// The certificate: sum u + sum over arcs and singletons of min(0, c_a - sum of u over a), rounded
 /// downwards by its error bound; -inf where that overflows.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "nda/problem.hpp"
+#include "nda/proof.hpp"
 #include "nda/solution.hpp"
 
 // Files: problems in, problems and solutions out.  The formats are described in
@@ -92,5 +93,18 @@ Solution read_solution(const std::string& path);
 
 /// The same from text.
 Solution solution_from_json(std::string_view text);
+
+/// Writes a proof, see docs/proofs.md; as write_problem for paths.
+void write_proof(const Proof& proof, const std::string& path);
+
+/// The same to a stream, never compressed.
+void write_proof(const Proof& proof, std::ostream& output);
+
+/// Reads a proof, plain or gzip-compressed, from a file or from standard input ("-").  That it
+/// proves anything is for check_proof() to say.  Memory: some times the size of the text.
+Proof read_proof(const std::string& path);
+
+/// The same from text.
+Proof parse_proof(std::string_view text);
 
 }  // namespace nda

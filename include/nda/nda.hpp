@@ -9,6 +9,7 @@
 #include "nda/io.hpp"
 #include "nda/options.hpp"
 #include "nda/problem.hpp"
+#include "nda/proof.hpp"
 #include "nda/solution.hpp"
 #include "nda/solve.hpp"
 #include "nda/types.hpp"

@@ -77,6 +77,7 @@ struct Options {
   double relative_gap = 0;  ///< stop when (cost - bound) / |cost| is at most this; >= 0
   int num_threads = 1;      ///< 0 = all cores; <= 1024; the answer does not depend on it
   std::uint64_t seed = 1;   ///< of the randomised searches
+  bool proof = false;       ///< write down a proof: it takes memory, some kilobytes for every node
   RelaxationOptions relaxation;
   SearchOptions search;
   BranchOptions branch;

@@ -2,9 +2,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "nda/proof.hpp"
 #include "nda/types.hpp"
 
 namespace nda {
@@ -92,6 +94,12 @@ struct Solution {
   /// bound = sum u + sum over arcs and singletons of min(0, c_a - sum of u over a)
   /// holds for every u (report, Theorem 4.1); see nda/check.hpp.
   std::vector<std::vector<double>> multipliers;
+
+  /// Why lower_bound holds, for check_proof(); with Options::proof only.  There is none of
+  /// infeasible problems, nor where the deadline struck before every component had a bound.  It may
+  /// show less than lower_bound where a limit stopped the search, where Lagrangian branch and bound
+  /// had the last word (Method::kExact, more than two million arcs), and by what rounding takes.
+  std::optional<Proof> proof;
 
   std::vector<ComponentReport> components;
   Stats stats;

@@ -14,6 +14,7 @@ namespace {
 struct CheckArguments {
   std::string problem;
   std::string solution;
+  std::string proof;
 };
 
 const char* yes_no(bool value) {
@@ -29,19 +30,22 @@ const char* bound_verdict(const Solution& solution, const CheckReport& report) {
   if (!report.bound_by_branching) return yes_no(report.bound_right);
   return solution.status == Status::kInfeasible
              ? "infeasible by branching: not checkable"
-             : "by branching: not checkable from the multipliers";
+             : "by branching: not checkable without a whole proof";
 }
 
 int check_files(const CheckArguments& arguments) {
   const Problem problem = read_problem(arguments.problem);
   const Solution solution = read_solution(arguments.solution);
-  const CheckReport report = check(problem, solution);
+  const CheckReport report = arguments.proof.empty()
+                                 ? check(problem, solution)
+                                 : check(problem, solution, read_proof(arguments.proof));
   std::cout << std::setprecision(std::numeric_limits<double>::max_digits10)
             << "feasible            " << verdict(solution, report.feasible) << '\n'
             << "cost right          " << verdict(solution, report.cost_right) << '\n'
             << "bound right         " << bound_verdict(solution, report) << '\n'
             << "cost                " << report.cost << '\n'
             << "certificate bound   " << report.certificate_bound << '\n';
+  if (!arguments.proof.empty()) std::cout << "proof's bound       " << report.proof_bound << '\n';
   for (const std::string& fault : report.faults) std::cout << "fault: " << fault << '\n';
   std::cout << (report.passed() ? "passed\n" : "FAILED\n");
   return report.passed() ? kAnswer : kNoAnswer;
@@ -53,16 +57,16 @@ Action declare_check(CLI::App& parser) {
   const auto arguments = std::make_shared<CheckArguments>();
   parser.add_option("file", arguments->problem, "problem, '-' for standard input")->required();
   parser.add_option("solution", arguments->solution, "solution (JSON) to be checked")->required();
+  parser.add_option("--proof", arguments->proof, "the proof that solve --proof wrote");
   parser.footer(
       "Recomputes everything with code of its own: is the solution feasible, is its cost right, "
       "do\n"
-      "the multipliers prove the bound?  What branching adds to the bound is named as not "
-      "checkable.\n"
+      "the multipliers prove the bound?  What branching adds to the bound takes a proof.\n"
       "Exit code 0 when nothing is wrong, 1 otherwise.\n"
       "\n"
       "Example:\n"
-      "  nda solve window.nda --output window.json\n"
-      "  nda check window.nda window.json");
+      "  nda solve window.nda --output window.json --proof window.proof.gz\n"
+      "  nda check window.nda window.json --proof window.proof.gz");
   return [arguments] { return check_files(*arguments); };
 }
 

@@ -28,6 +28,7 @@ struct SolveArguments {
   std::string preset = "default";
   std::string method;
   std::string output;
+  std::string proof;
   std::vector<Setting> settings;  // applied in this order
   double log_interval_s = 0.1;
   bool json = false;
@@ -58,6 +59,7 @@ Options make_options(const SolveArguments& arguments) {
   for (const Setting& setting : arguments.settings) {
     core::set_option(setting.name, setting.value, options);
   }
+  options.proof = options.proof || !arguments.proof.empty();
   return options;
 }
 
@@ -125,8 +127,6 @@ int exit_code(const Solution& solution) {
 
 // What is wrong with the output file is better known before a solve of hours.
 void require_good_output(const std::string& output, const std::string& input) {
-  if (std::filesystem::is_directory(output))
-    throw InputError(output + ": cannot write: Is a directory");
   const std::filesystem::path folder = std::filesystem::path(output).parent_path();
   if (!folder.empty() && !std::filesystem::is_directory(folder)) {
     throw InputError(output + ": cannot write: there is no folder " + folder.string());
@@ -137,6 +137,7 @@ void require_good_output(const std::string& output, const std::string& input) {
 int solve_file(const SolveArguments& arguments) {
   Options options = make_options(arguments);
   require_good_output(arguments.output, arguments.file);
+  require_good_output(arguments.proof, arguments.file);
   const bool json = arguments.json || arguments.output == "-";
   const auto begin = std::chrono::steady_clock::now();
   const Problem problem = read_problem(arguments.file);
@@ -153,10 +154,12 @@ int solve_file(const SolveArguments& arguments) {
   if (!arguments.output.empty() && arguments.output != "-") {
     write_solution(solution, arguments.output);
   }
+  if (solution.proof && !arguments.proof.empty()) write_proof(*solution.proof, arguments.proof);
   if (json) {
     std::cout << solution_to_json(solution);
   } else {
     print_summary(solution);
+    if (!solution.proof && !arguments.proof.empty()) print("proof         none, not written\n");
     if (arguments.verbose) print_components(solution);
   }
   return exit_code(solution);
@@ -220,6 +223,10 @@ Action declare_solve(CLI::App& parser) {
   add_settings(parser, arguments);
   parser.add_option(
       "--output,-o", arguments->output, "write the solution as JSON; '-' is the same as --json");
+  parser.add_option(
+      "--proof",
+      arguments->proof,
+      "write why the bound holds, for nda check --proof; compressed where the name ends in .gz");
   parser.add_flag("--json", arguments->json, "print the JSON alone");
   parser
       .add_option("--log-interval", arguments->log_interval_s, "seconds between lines of the log")

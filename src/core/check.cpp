@@ -6,13 +6,12 @@
 #include <limits>
 #include <string>
 
+#include "core/certificate_sum.hpp"
 #include "core/double_double.hpp"
 
 // The checker knows the problem and the solution, nothing of how it was found.  Sums are kept in
-// double-double; the certificate is then rounded downwards by a bound on all its rounding errors:
-// each of the T additions errs by at most 2^-104 of a partial sum, no partial sum exceeds the sum S
-// of the absolute values of all terms, so the whole errs by less than T 2^-104 S.  Where that
-// underflows the next double above it is taken.
+// double-double; the certificate is then rounded downwards by a bound on all its rounding errors
+// (core/certificate_sum.hpp).
 
 namespace nda {
 namespace {
@@ -171,17 +170,45 @@ bool above(double bound, double value) {
   return !(bound <= value) && !close(bound, value);
 }
 
+// Calls note(cost) for the singletons of all real indices.
+template <typename Note>
+void for_each_singleton(const Problem& problem, Note&& note) {
+  for (int k = 0; k < problem.num_dimensions(); ++k) {
+    for (const double cost : problem.singleton_costs(k).subspan(1)) note(cost);
+  }
+}
+
+// Up to which gap a cost counts as proven (docs/numerics.md): a billionth of the costs that were
+// chosen, or of the least cost that is not 0 where these are smaller.
+double gap_tolerance(const Problem& problem, double magnitude) {
+  double least = kInfinity;
+  const auto note = [&](double cost) {
+    if (cost != 0) least = std::min(least, std::abs(cost));
+  };
+  for (const double cost : problem.costs()) note(cost);
+  for_each_singleton(problem, note);
+  return 1e-9 * std::max(magnitude, least < kInfinity ? least : 1.0);
+}
+
 // What the multipliers prove, and whether that is what is stated.
-void check_bound(const Problem& problem, const Solution& solution, CheckReport& report) {
+void check_bound(const Problem& problem,
+                 const Solution& solution,
+                 bool with_proof,
+                 double magnitude,
+                 CheckReport& report) {
   const std::string fault = multipliers_fault(problem, solution.multipliers);
   if (!fault.empty()) return report.faults.push_back(fault);
   report.certificate_bound = certificate_bound(problem, solution.multipliers);
-  report.bound_right = !above(solution.lower_bound, report.certificate_bound);
-  report.bound_by_branching = !report.bound_right && solution.stats.bound_by_branching;
+  report.bound_right =
+      !above(solution.lower_bound, report.certificate_bound) ||
+      solution.lower_bound - report.proof_bound <= gap_tolerance(problem, magnitude);
+  report.bound_by_branching =
+      !report.bound_right && !(with_proof && solution.proven) && solution.stats.bound_by_branching;
   if (report.bound_right || report.bound_by_branching) return;
   report.faults.push_back("lower bound " + number(solution.lower_bound) +
                           " is stated, the multipliers prove only " +
-                          number(report.certificate_bound));
+                          number(report.certificate_bound) +
+                          (with_proof ? ", the proof " + number(report.proof_bound) : ""));
 }
 
 // No bound may exceed the verified cost, nor the stated certificate that of the multipliers.
@@ -197,17 +224,13 @@ void check_bounds_fit(const Solution& solution, CheckReport& report) {
     report.faults.push_back("lower bound " + number(solution.lower_bound) + " exceeds the cost " +
                             number(report.cost));
   }
+  if (above(report.proof_bound, report.cost)) {
+    report.faults.push_back("the proof shows " + number(report.proof_bound) +
+                            ", which exceeds the cost " + number(report.cost));
+  }
   if (above(report.certificate_bound, report.cost)) {
     report.faults.push_back("certificate " + number(report.certificate_bound) +
                             " exceeds the cost " + number(report.cost));
-  }
-}
-
-// Calls note(cost) for the singletons of all real indices.
-template <typename Note>
-void for_each_singleton(const Problem& problem, Note&& note) {
-  for (int k = 0; k < problem.num_dimensions(); ++k) {
-    for (const double cost : problem.singleton_costs(k).subspan(1)) note(cost);
   }
 }
 
@@ -247,18 +270,6 @@ void check_infeasible(const Problem& problem, const Solution& solution, CheckRep
   report.bound_by_branching = !report.bound_right && report.faults.empty();
 }
 
-// Up to which gap a cost counts as proven (docs/numerics.md): a billionth of the costs that were
-// chosen, or of the least cost that is not 0 where these are smaller.
-double gap_tolerance(const Problem& problem, double magnitude) {
-  double least = kInfinity;
-  const auto note = [&](double cost) {
-    if (cost != 0) least = std::min(least, std::abs(cost));
-  };
-  for (const double cost : problem.costs()) note(cost);
-  for_each_singleton(problem, note);
-  return 1e-9 * std::max(magnitude, least < kInfinity ? least : 1.0);
-}
-
 // What status and `proven` say must fit the two bounds (table in nda/solution.hpp).
 void check_claims(const Problem& problem,
                   const Solution& solution,
@@ -288,38 +299,6 @@ void check_claims(const Problem& problem,
                           ", yet the lower bound " + number(solution.lower_bound) +
                           " does not meet it");
 }
-
-// The terms of a certificate, and the sum of their absolute values.  Neighbours go to different
-// sums, so that no addition waits for the one before.
-class CertificateSum {
- public:
-  void add(std::size_t position, double term) {
-    sums_[position % kSums].add(term);
-    magnitude_ += std::abs(term);
-  }
-  void enlarge(double magnitude) { magnitude_ += magnitude; }
-
-  // Not above the exact sum of what was added in at most so many terms (6 or more).  The few
-  // additions here are covered too, as 2^-100 is sixteen times what one term needs.
-  double rounded_down(double terms) const {
-    if (magnitude_ == 0) return 0;
-    if (!std::isfinite(magnitude_)) return -kInfinity;
-    core::DoubleDouble total;
-    for (const core::DoubleDouble& sum : sums_) {
-      total.add(sum.high());
-      total.add(sum.low());
-    }
-    const double error = std::nextafter(terms * 0x1p-100 * magnitude_, kInfinity);
-    total.add(-error);
-    return std::nextafter(total.high(), -kInfinity);
-  }
-
- private:
-  static constexpr std::size_t kSums = 8;
-
-  core::DoubleDouble sums_[kSums];
-  double magnitude_ = 0;
-};
 
 // Sums c - sum of u over many arcs at a time, in double-double, which fills the vector units.
 class ReducedCosts {
@@ -353,7 +332,7 @@ class ReducedCosts {
   bool full() const { return count_ == kMost; }
 
   // Adds the negative ones of the arcs that were put, and forgets all of them.
-  void add_negative_to(CertificateSum& sum) {
+  void add_negative_to(core::CertificateSum& sum) {
     for (std::size_t n = 0; n < count_; ++n) {
       high_[n] = costs_[arcs_[n]];
       low_[n] = 0;
@@ -401,9 +380,7 @@ class ReducedCosts {
   std::array<double, kMost> size_;
 };
 
-}  // namespace
-
-CheckReport check(const Problem& problem, const Solution& solution) {
+CheckReport check(const Problem& problem, const Solution& solution, const Proof* proof) {
   CheckReport report;
   if (!std::equal(solution.sizes.begin(),
                   solution.sizes.end(),
@@ -412,22 +389,37 @@ CheckReport check(const Problem& problem, const Solution& solution) {
     report.faults.push_back("the solution is of a problem of other sizes");
     return report;
   }
+  if (proof != nullptr) {
+    const ProofReport verdict = check_proof(problem, *proof);
+    report.proof_bound = verdict.lower_bound;
+    if (!verdict.passed()) report.faults.push_back("the proof fails: " + verdict.fault);
+  }
   const double magnitude = check_solutions(problem, solution, report);
   if (solution.status == Status::kInfeasible) {
     check_infeasible(problem, solution, report);
   } else {
-    check_bound(problem, solution, report);
+    check_bound(problem, solution, proof != nullptr, magnitude, report);
     check_claims(problem, solution, magnitude, report);
   }
   check_bounds_fit(solution, report);
   return report;
 }
 
+}  // namespace
+
+CheckReport check(const Problem& problem, const Solution& solution) {
+  return check(problem, solution, nullptr);
+}
+
+CheckReport check(const Problem& problem, const Solution& solution, const Proof& proof) {
+  return check(problem, solution, &proof);
+}
+
 double certificate_bound(const Problem& problem,
                          const std::vector<std::vector<double>>& multipliers) {
   const std::string fault = multipliers_fault(problem, multipliers);
   if (!fault.empty()) throw InputError(fault);
-  CertificateSum sum;
+  core::CertificateSum sum;
   const std::size_t n = multipliers.size();
   for (std::size_t k = 0; k < n; ++k) {
     const auto singletons = problem.singleton_costs(static_cast<int>(k));

@@ -115,6 +115,11 @@ void add_general(std::vector<OptionRow>& rows) {
       [](auto& options) -> auto& { return options.seed; },
       {},
       "of the randomised searches"));
+  rows.push_back(choice<bool>(
+      "proof",
+      [](auto& options) -> auto& { return options.proof; },
+      {"false", "true"},
+      "write down a proof of the bound"));
 }
 
 void add_relaxation(std::vector<OptionRow>& rows) {

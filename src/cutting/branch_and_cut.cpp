@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cutting/cut_loop.hpp"
-
 // Branching on a pair of rows keeps both children packing problems and halves the fractional point
 // on both sides, where fixing one arc to 0 would change next to nothing.  Which pair: a few with a
 // weight near a half are tried, by some dual simplex steps each, and the product of what their two
@@ -37,14 +35,40 @@ BranchAndCutResult BranchAndCut::run() {
   BranchAndCutResult result;
   result.lower = explore(0, -kInfinity);
   result.complete = result.lower >= cutoff_;
+  result.exhaustive = exhaustive_;
   result.nodes = nodes_;
   return result;
 }
 
 // Lower bound of the subtree: at least the cutoff when nothing cheaper is left in it.
 double BranchAndCut::explore(int depth, double inherited) {
-  if (stopped()) return inherited;
+  if (stopped()) return leave(inherited);
   ++nodes_;
+  const CutLoopEnd end = tighten(depth);
+  const double lower =
+      end == CutLoopEnd::kStopped ? inherited : std::max(inherited, master_.lower());
+  if (lower >= cutoff_ || end == CutLoopEnd::kStopped || stopped()) return close(lower);
+  if (integral()) {
+    const core::Packing found = packing();
+    cutoff_ = offer_(master_, &found);
+    return close(lower);
+  }
+  const Choice choice = choose();
+  const bool together_first = choice.together <= choice.apart;
+  if (limits_.proof != nullptr)
+    limits_.proof->branch(choice.pair.first, choice.pair.second, together_first);
+  double least = kInfinity;
+  for (const bool together : {together_first, !together_first}) {
+    if (stopped()) return leave(lower);
+    least = std::min(least,
+                     together ? explore_together(choice.pair, depth + 1, lower)
+                              : explore_apart(choice.pair, depth + 1, lower));
+  }
+  return least;
+}
+
+// The cuts of a node.
+CutLoopEnd BranchAndCut::tighten(int depth) {
   CutLoopOptions loop;
   loop.cutoff = cutoff_;
   loop.max_rounds = depth == 0 ? limits_.root_rounds : limits_.node_rounds;
@@ -57,25 +81,25 @@ double BranchAndCut::explore(int depth, double inherited) {
     if (depth == 0) cutoff_ = offer_(master, nullptr);
     return cutoff_;
   };
-  const CutLoopEnd end = run_cut_loop(component_, master_, loop, {round});
-  const double lower =
-      end == CutLoopEnd::kStopped ? inherited : std::max(inherited, master_.lower());
-  if (lower >= cutoff_ || end == CutLoopEnd::kStopped || stopped()) return lower;
-  if (integral()) {
-    const core::Packing found = packing();
-    cutoff_ = offer_(master_, &found);
-    return lower;
+  CutLoopObserver observer{round};
+  if (limits_.proof != nullptr) {
+    observer.fixed = [&](const Master& master, double cutoff) {
+      limits_.proof->fix(master, cutoff);
+    };
   }
-  const Choice choice = choose();
-  const bool together_first = choice.together <= choice.apart;
-  double least = kInfinity;
-  for (const bool together : {together_first, !together_first}) {
-    if (stopped()) return lower;
-    least = std::min(least,
-                     together ? explore_together(choice.pair, depth + 1, lower)
-                              : explore_apart(choice.pair, depth + 1, lower));
-  }
-  return least;
+  return run_cut_loop(component_, master_, loop, observer);
+}
+
+// Nodes that a limit leaves unexplored.
+double BranchAndCut::leave(double lower) {
+  exhaustive_ = false;
+  return lower;
+}
+
+// A leaf.
+double BranchAndCut::close(double lower) {
+  if (limits_.proof != nullptr) limits_.proof->bound(master_);
+  return lower;
 }
 
 bool BranchAndCut::integral() const {

@@ -5,7 +5,9 @@
 
 #include "core/clock.hpp"
 #include "core/component.hpp"
+#include "cutting/cut_loop.hpp"
 #include "cutting/master.hpp"
+#include "cutting/proof_log.hpp"
 
 namespace nda::cutting {
 
@@ -16,12 +18,14 @@ struct BranchAndCutLimits {
   std::size_t node_patterns = 4;
   int node_rounds = 3;
   core::Deadline deadline;
+  ProofLog* proof = nullptr;  ///< where to write down the tree; whole if the search is exhaustive
 };
 
 /// What came out of branch and cut.
 struct BranchAndCutResult {
   double lower = -kInfinity;  ///< no packing of live arcs is cheaper than this and the cutoff
   bool complete = false;      ///< no packing is cheaper than the last cutoff
+  bool exhaustive = true;     ///< no node was left unexplored
   std::int64_t nodes = 0;
 };
 
@@ -57,6 +61,8 @@ class BranchAndCut {
   };
 
   double explore(int depth, double inherited);
+  CutLoopEnd tighten(int depth);
+  double close(double lower);
   bool integral() const;
   core::Packing packing() const;
   std::vector<Pair> fractional_pairs() const;
@@ -67,6 +73,7 @@ class BranchAndCut {
   double explore_apart(const Pair& pair, int depth, double inherited);
   bool uses(core::ArcId a, std::uint32_t slot) const;
   bool stopped() const { return nodes_ >= limits_.max_nodes || limits_.deadline.reached(); }
+  double leave(double lower);
 
   const core::Component& component_;
   Master& master_;
@@ -74,6 +81,7 @@ class BranchAndCut {
   const BranchAndCutLimits& limits_;
   Offer offer_;
   std::int64_t nodes_ = 0;
+  bool exhaustive_ = true;
 };
 
 }  // namespace nda::cutting

@@ -80,7 +80,7 @@ CutLoopEnd run_cut_loop(const core::Component& component,
     const double gap = cutoff - master.lower();
     const double gain = master.lower() - last_lower;
     last_lower = master.lower();
-    if (options.fix) master.fix(cutoff);
+    if (options.fix && master.fix(cutoff) && observer.fixed) observer.fixed(master, cutoff);
     master.drop_idle(kMostIdle);
     Separator separator(component, master.arcs(), master.values());
     if (separator.integral()) return CutLoopEnd::kIntegral;

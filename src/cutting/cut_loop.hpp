@@ -15,6 +15,8 @@ struct CutLoopObserver {
   /// Called after every round with the current relaxed point; returns the cutoff from now on: only
   /// packings cheaper than it are looked for.
   std::function<double(const Master&)> round;
+  /// Called after arcs were dropped that no packing below `cutoff` uses; may be empty.
+  std::function<void(const Master&, double cutoff)> fixed = {};
 };
 
 inline constexpr std::size_t kAllPatterns = 1000;

@@ -23,6 +23,17 @@ constexpr std::size_t kStartArcsPerIndex = 8;
 constexpr std::size_t kStartArcs = 1000;
 constexpr std::size_t kMostEntering = 6000;
 constexpr double kShrunk = 0.5;
+// The tolerances of the simplex method suit costs of this size.
+constexpr double kSmallest = 1;
+constexpr double kLargest = 1e5;
+constexpr int kScaledExponent = 7;
+constexpr int kLargestExponent = 1000;  // of a scale
+
+// A power of two that brings the dearest cost to such a size.
+double scale_of(double dearest) {
+  if (dearest == 0 || (dearest >= kSmallest && dearest <= kLargest)) return 1;
+  return std::ldexp(1.0, std::min(kScaledExponent - std::ilogb(dearest), kLargestExponent));
+}
 
 }  // namespace
 
@@ -40,9 +51,10 @@ Master::Master(const Component& component, std::vector<ArcId> live, std::span<co
   program_.add_empty_rows(static_cast<int>(component.num_slots()));
   double dearest = 0;
   for (const ArcId a : live_) dearest = std::max(dearest, std::abs(component.costs[a]));
+  scale_ = scale_of(dearest);
   for (int slot = 0; slot < static_cast<int>(component.num_slots()); ++slot) {
     const double one = 1;
-    program_.add_column({{&slot, 1}, {&one, 1}}, 2 * dearest, kInfinity);
+    program_.add_column({{&slot, 1}, {&one, 1}}, 2 * dearest * scale_, kInfinity);
   }
   price();
   std::vector<ArcId> start = live_;
@@ -87,7 +99,7 @@ void Master::insert(std::span<const ArcId> arcs) {
     column_of_[arcs[k]] = static_cast<int>(u_.size() + column_arc_.size());
     column_arc_.push_back(arcs[k]);
     program_.add_column(
-        {rows, values}, component_.costs[arcs[k]], forbidden_[arcs[k]] > 0 ? 0.0 : kInfinity);
+        {rows, values}, component_.costs[arcs[k]] * scale_, forbidden_[arcs[k]] > 0 ? 0.0 : kInfinity);
   }
 }
 
@@ -112,7 +124,7 @@ void Master::price() {
 std::vector<ArcId> Master::entering() const {
   std::vector<ArcId> found;
   for (const ArcId a : live_) {
-    if (reduced_[a] < -kTolerance && column_of_[a] < 0 && forbidden_[a] == 0) found.push_back(a);
+    if (reduced_[a] * scale_ < -kTolerance && column_of_[a] < 0 && forbidden_[a] == 0) found.push_back(a);
   }
   if (found.size() > kMostEntering) {
     std::nth_element(
@@ -127,7 +139,7 @@ std::vector<ArcId> Master::entering() const {
 
 lp::Outcome Master::solve(double cutoff, const core::Deadline& deadline) {
   // A little beyond the cutoff, so that the bound computed here reaches it as well.
-  double limit = cutoff + kBeyond * (1 + std::abs(cutoff));
+  double limit = cutoff * scale_ + kBeyond * (1 + std::abs(cutoff * scale_));
   for (;;) {
     const lp::Outcome outcome = dual_feasible_
                                     ? program_.solve_dual(deadline, limit, kNoIterationLimit)
@@ -146,7 +158,7 @@ lp::Outcome Master::solve(double cutoff, const core::Deadline& deadline) {
     insert(more);
     if (deadline.reached()) return lp::Outcome::kStopped;
   }
-  for (CutRow& row : cuts_) row.idle = row.multiplier < -kTolerance ? 0 : row.idle + 1;
+  for (CutRow& row : cuts_) row.idle = row.multiplier * scale_ < -kTolerance ? 0 : row.idle + 1;
   return lp::Outcome::kOptimal;
 }
 
@@ -154,10 +166,10 @@ lp::Outcome Master::solve(double cutoff, const core::Deadline& deadline) {
 void Master::take_multipliers() {
   const std::span<const double> dual = program_.dual();
   for (std::size_t slot = 0; slot < u_.size(); ++slot) {
-    u_[slot] = forced_[slot] > 0 ? dual[slot] : std::min(0.0, dual[slot]);
+    u_[slot] = (forced_[slot] > 0 ? dual[slot] : std::min(0.0, dual[slot])) / scale_;
   }
   for (std::size_t c = 0; c < cuts_.size(); ++c) {
-    cuts_[c].multiplier = std::min(0.0, dual[u_.size() + c]);
+    cuts_[c].multiplier = std::min(0.0, dual[u_.size() + c]) / scale_;
   }
 }
 
@@ -189,7 +201,7 @@ void Master::release(std::uint32_t slot) {
 
 double Master::trial(int max_iterations, const core::Deadline& deadline) {
   const lp::Outcome outcome = program_.solve_dual(deadline, kInfinity, max_iterations);
-  return outcome == lp::Outcome::kFailed ? lower_ : program_.objective();
+  return outcome == lp::Outcome::kFailed ? lower_ : program_.objective() / scale_;
 }
 
 void Master::add(const Cut& cut) {
@@ -222,7 +234,7 @@ void Master::drop_idle(int most_idle) {
   std::erase_if(cuts_, [&](const CutRow& row) { return row.idle > most_idle; });
 }
 
-void Master::fix(double cutoff) {
+bool Master::fix(double cutoff) {
   const auto dead = [&](ArcId a) { return lower_ + reduced_[a] >= cutoff; };
   std::vector<int> columns;
   for (std::size_t k = 0; k < column_arc_.size(); ++k) {
@@ -238,7 +250,7 @@ void Master::fix(double cutoff) {
   for (CutRow& row : cuts_) {
     std::erase_if(row.entries, [&](const CutEntry& entry) { return dead(entry.arc); });
   }
-  std::erase_if(live_, dead);
+  return std::erase_if(live_, dead) > 0;
 }
 
 }  // namespace nda::cutting

@@ -53,8 +53,9 @@ class Master {
   void add(const Cut& cut);
   /// Removes cuts whose multiplier was 0 in the last `most_idle` solves.
   void drop_idle(int most_idle);
-  /// Drops live arcs whose reduced cost shows that no packing below `cutoff` uses them.
-  void fix(double cutoff);
+  /// Drops live arcs whose reduced cost shows that no packing below `cutoff` uses them; returns
+  /// whether there were any.
+  bool fix(double cutoff);
 
   /// Forbids arcs until they are allowed again as often.
   void forbid(std::span<const core::ArcId> arcs);
@@ -94,6 +95,7 @@ class Master {
   std::vector<CutRow> cuts_;
   std::vector<double> u_;        // [slot]
   std::vector<double> reduced_;  // [arc], of live ones
+  double scale_ = 1;             // costs in the program are so many times those of the component
   double lower_ = -kInfinity;
   bool dual_feasible_ = false;  // rows were added or bounds changed since the last solve
 };

@@ -36,7 +36,8 @@ class Widening {
         limits_(limits),
         observer_(observer),
         cutoff_(limits.cutoff),
-        master_(component, all_arcs(component), u) {}
+        master_(component, all_arcs(component), u),
+        proof_size_(limits.proof == nullptr ? 0 : limits.proof->size()) {}
 
   WideningResult run() {
     if (limits_.max_nodes > 0 && tighten()) {
@@ -47,6 +48,10 @@ class Widening {
       }
     }
     result_.complete = result_.lower >= cutoff_;
+    if (limits_.proof != nullptr && !exhaustive_) {
+      limits_.proof->cut_back(proof_size_);
+      limits_.proof->bound(master_);
+    }
     return result_;
   }
 
@@ -57,11 +62,17 @@ class Widening {
     CutLoopOptions loop;
     loop.cutoff = cutoff_;
     loop.deadline = limits_.deadline;
-    const CutLoopEnd end = run_cut_loop(component_, master_, loop, {[&](const Master& point) {
-                                          raise(point.lower());
-                                          return cutoff_ = observer_.offer(point, nullptr);
-                                        }});
+    CutLoopObserver rounds;
+    rounds.round = [&](const Master& point) {
+      raise(point.lower());
+      return cutoff_ = observer_.offer(point, nullptr);
+    };
+    if (limits_.proof != nullptr) {
+      rounds.fixed = [&](const Master& point, double cutoff) { limits_.proof->fix(point, cutoff); };
+    }
+    const CutLoopEnd end = run_cut_loop(component_, master_, loop, rounds);
     if (end == CutLoopEnd::kProven) raise(cutoff_);
+    if (limits_.proof != nullptr) proof_size_ = limits_.proof->size();
     return end != CutLoopEnd::kProven && end != CutLoopEnd::kStopped;
   }
 
@@ -72,12 +83,17 @@ class Widening {
     for (const ArcId a : master_.live()) {
       if (master_.lower() + master_.reduced_cost(a) < target) near.push_back(a);
     }
+    if (limits_.proof != nullptr) {
+      limits_.proof->cut_back(proof_size_);
+      limits_.proof->fix(master_, target);
+    }
     Master circle(component_, std::move(near), master_.u());
     for (const CutRow& row : master_.cuts()) circle.add(row.cut);
     BranchAndCutLimits limits;
     limits.max_nodes = limits_.max_nodes - result_.nodes;
     limits.root_patterns = kAllPatterns;
     limits.deadline = limits_.deadline;
+    limits.proof = limits_.proof;
     BranchAndCut tree(
         component_, circle, target, limits, [&](const Master& point, const core::Packing* packing) {
           cutoff_ = observer_.offer(point, packing);
@@ -85,6 +101,7 @@ class Widening {
         });
     const BranchAndCutResult found = tree.run();
     result_.nodes += found.nodes;
+    exhaustive_ = found.exhaustive && target >= cutoff_;
     raise(std::min({found.lower, target, cutoff_}));
     return found.complete && result_.lower < cutoff_;
   }
@@ -100,6 +117,8 @@ class Widening {
   const WideningObserver& observer_;
   double cutoff_;
   Master master_;
+  std::size_t proof_size_;   // before the circles
+  bool exhaustive_ = false;  // the last circle holds all, and its tree was searched to the end
   WideningResult result_;
 };
 

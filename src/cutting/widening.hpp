@@ -8,6 +8,7 @@
 #include "core/clock.hpp"
 #include "core/component.hpp"
 #include "cutting/master.hpp"
+#include "cutting/proof_log.hpp"
 
 namespace nda::cutting {
 
@@ -15,6 +16,9 @@ struct WideningLimits {
   double cutoff = kInfinity;  ///< only packings cheaper than this are looked for
   std::int64_t max_nodes = 0;
   core::Deadline deadline;
+  /// Where to write down why the bound holds: all of it if no limit struck, else what the cuts of
+  /// the whole component prove, without the circles.
+  ProofLog* proof = nullptr;
 };
 
 /// What the search tells the layers above while it works.

@@ -2,6 +2,7 @@
 #include <string>
 #include <utility>
 
+#include "io/proof_file.hpp"
 #include "io/readers.hpp"
 #include "io/sink.hpp"
 #include "io/source.hpp"
@@ -83,6 +84,12 @@ void write_to(io::Sink& sink,
       break;
   }
   throw InputError(std::string("format ") + to_string(format) + " can only be read");
+}
+
+void write_to(io::Sink& sink, const Proof& proof) {
+  io::TextWriter out(sink);
+  io::write_proof(proof, out);
+  sink.commit();
 }
 
 // A file's sink, compressing when its name says so.
@@ -188,6 +195,28 @@ Solution read_solution(const std::string& path) {
   return with_name(io::input_name(path), [&] {
     return solution_from_json(read_all(*io::decompressed(io::file_source(path))));
   });
+}
+
+void write_proof(const Proof& proof, const std::string& path) {
+  with_name(output_name(path), [&] { write_to(*open_sink(path), proof); });
+}
+
+void write_proof(const Proof& proof, std::ostream& output) {
+  write_to(*io::stream_sink(output), proof);
+}
+
+Proof read_proof(const std::string& path) {
+  return with_name(io::input_name(path), [&] {
+    const auto plain = io::decompressed(io::file_source(path));
+    io::Scanner scanner(*plain);
+    return io::read_proof(scanner);
+  });
+}
+
+Proof parse_proof(std::string_view text) {
+  const auto source = io::memory_source(text);
+  io::Scanner scanner(*source);
+  return io::read_proof(scanner);
 }
 
 }  // namespace nda

@@ -67,7 +67,7 @@ Precision precision_of(const Component& component, const core::CostGrid& grid) {
   Precision precision;
   precision.error = 0x1p-50 * static_cast<double>(component.num_indices()) * largest;
   precision.margin =
-      grid.step > 8 * precision.error ? grid.step - 2 * precision.error : precision.error;
+      grid.step > 16 * precision.error ? grid.step - 4 * precision.error : precision.error;
   return precision;
 }
 
@@ -77,14 +77,16 @@ ComponentSolver::ComponentSolver(const Component& component,
                                  const core::CostGrid& grid,
                                  std::uint64_t seed,
                                  const core::Deadline& deadline,
-                                 Monitor& monitor)
+                                 Monitor& monitor,
+                                 cutting::ProofLog* proof)
     : component_(component),
       required_(std::move(required)),
       options_(options),
       deadline_(deadline),
       monitor_(monitor),
       precision_(precision_of(component, grid)),
-      seed_(seed) {
+      seed_(seed),
+      proof_(proof) {
   state_.live_arcs = component.num_arcs();
   state_.u.assign(component.num_slots(), 0.0);
   const core::Stopwatch watch;
@@ -162,6 +164,11 @@ void ComponentSolver::branch_and_cut(double allowed_gap) {
   limits.cutoff = goal();
   limits.max_nodes = options_.branch.max_nodes - state_.nodes;
   limits.deadline = deadline_;
+  limits.proof = proof_;
+  if (proof_ != nullptr) {
+    proof_->fix(state_.u, cutoff());
+    proof_->enter(core);
+  }
   cutting::WideningObserver observer;
   observer.offer = [&](const cutting::Master& point, const Packing* found) {
     Packing packing = found != nullptr ? *found : round(core, point);
@@ -171,6 +178,14 @@ void ComponentSolver::branch_and_cut(double allowed_gap) {
   };
   observer.raise = [&](double lower) { raise_bound(std::min(lower, goal()), "cuts"); };
   state_.nodes += cutting::search_widening(core, u, limits, observer).nodes;
+}
+
+// Where branch and cut did not write down its steps, the multipliers prove the bound, or a search
+// that the checker can do again.
+void ComponentSolver::finish_proof() {
+  if (proof_->size() > 0) return;
+  if (enumerated_ && state_.certificate < cutoff()) return proof_->search(state_.u, cutoff());
+  proof_->bound(state_.u);
 }
 
 // A packing near a relaxed point: its largest values first, then descent.
@@ -211,6 +226,7 @@ void ComponentSolver::enumerate() {
   state_.nodes += result.nodes;
   if (result.found) offer(result.best, "enumeration");
   if (!result.complete) return;
+  enumerated_ = true;
   // The multipliers should prove as much as they can by themselves.
   relax::LagrangianOptions loop = loop_options(component_);
   loop.max_evaluations = options_.branch.node_evaluations;

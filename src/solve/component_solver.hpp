@@ -7,6 +7,7 @@
 #include "core/component.hpp"
 #include "core/shift.hpp"
 #include "cutting/master.hpp"
+#include "cutting/proof_log.hpp"
 #include "nda/options.hpp"
 #include "nda/solution.hpp"
 #include "relax/lagrangian.hpp"
@@ -24,7 +25,7 @@ struct Precision {
 };
 
 /// error = 2^-50 * indices * largest |c'|, a bound on what any sum of costs or multipliers of the
-/// component rounds off; margin = step - 2 error where costs lie on a grid that coarse, else error.
+/// component rounds off; margin = step - 4 error where costs lie on a grid that coarse, else error.
 Precision precision_of(const core::Component& component, const core::CostGrid& grid);
 
 /// What is known of a component.
@@ -50,13 +51,15 @@ class ComponentSolver {
  public:
   /// @param required  by slot: whether its singleton is forbidden; empty where none of the problem
   ///                  is.
+  /// @param proof     where to write down why the bound holds; may be null.
   ComponentSolver(const core::Component& component,
                   std::vector<bool> required,
                   const Options& options,
                   const core::CostGrid& grid,
                   std::uint64_t seed,
                   const core::Deadline& deadline,
-                  Monitor& monitor);
+                  Monitor& monitor,
+                  cutting::ProofLog* proof);
 
   /// A bound was found before the deadline.  Without one, state().u are multipliers that prove
   /// little, and neither stage must be begun.
@@ -68,6 +71,9 @@ class ComponentSolver {
   /// Second stage, if not complete: local search, fixing and branching until the gap of a feasible
   /// packing is at most `allowed_gap` (absolute), or a limit strikes.
   void finish(double allowed_gap);
+
+  /// Completes the proof of the component; last.
+  void finish_proof();
 
   const ComponentState& state() const { return state_; }
   const Precision& precision() const { return precision_; }
@@ -97,6 +103,8 @@ class ComponentSolver {
   Monitor& monitor_;
   const Precision precision_;
   const std::uint64_t seed_;
+  cutting::ProofLog* const proof_;
+  bool enumerated_ = false;
   double certify_s_ = 0;  // what making multipliers feasible took
   ComponentState state_;
 };

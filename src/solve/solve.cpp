@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 #include <numeric>
 #include <string>
@@ -18,6 +17,7 @@
 #include "decompose/components.hpp"
 #include "nda/check.hpp"
 #include "solve/component_solver.hpp"
+#include "solve/costs.hpp"
 #include "solve/infeasibility.hpp"
 #include "solve/monitor.hpp"
 #include "solve/process.hpp"
@@ -46,53 +46,10 @@ constexpr double kWholeShare = 0.9;
 // Beyond this sums and squares of costs might overflow.
 constexpr double kLargestCost = 1e100;
 
-// Calls note(|c|) for all arcs and finite singletons.
-template <typename Note>
-void for_each_cost(const Problem& problem, Note&& note) {
-  for (const double cost : problem.costs()) note(std::abs(cost));
-  for (int k = 0; k < problem.num_dimensions(); ++k) {
-    for (const double cost : problem.singleton_costs(k)) {
-      if (cost < kInfinity) note(std::abs(cost));
-    }
-  }
-}
-
-double largest_cost(const Problem& problem) {
-  double largest = 0;
-  for_each_cost(problem, [&](double size) { largest = std::max(largest, size); });
-  return largest;
-}
-
-std::string figure_text(double figure) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", figure);
-  return text;
-}
-
-// The answer where nothing can be computed but what leaving every index alone costs, if it may be.
-Solution overflow(const Problem& problem, double largest) {
-  Solution solution;
-  solution.sizes.assign(problem.sizes().begin(), problem.sizes().end());
-  solution.num_arcs = problem.num_arcs();
-  solution.status = Status::kPrecisionLost;
-  core::DoubleDouble alone;
-  for (int k = 0; k < problem.num_dimensions(); ++k) {
-    for (const double cost : problem.singleton_costs(k)) alone.add(cost);
-  }
-  if (std::isfinite(alone.high())) {
-    solution.cost = alone.high();
-    solution.solutions.push_back({1, solution.cost, false, {}});
-  }
-  for (const Index size : problem.sizes()) solution.multipliers.emplace_back(size, 0.0);
-  solution.lower_bound = certificate_bound(problem, solution.multipliers);
-  solution.stats.certificate_bound = solution.lower_bound;
-  solution.reason = "costs as large as " + figure_text(largest) + " overflow, scale them";
-  return solution;
-}
-
 // One component and its solver, kept between the rounds.
 struct Part {
   Component component;
+  std::unique_ptr<cutting::ProofLog> proof;  // null when none is asked for
   std::unique_ptr<ComponentSolver> solver;
 };
 
@@ -106,8 +63,8 @@ class Pipeline {
         deadline_(work_limit(), stop_.get_token(), &heartbeat_) {}
 
   Solution run() {
-    const double largest = largest_cost(problem_);
-    if (largest > kLargestCost) return overflow(problem_, largest);
+    const double largest = pipeline::largest_cost(problem_);
+    if (largest > kLargestCost) return pipeline::overflow(problem_, largest);
     prepare();
     if (is_bounded_) work();
     return merge();
@@ -177,13 +134,31 @@ class Pipeline {
       part.component = cutter.cut(problem_, shift_, partition_.component(p), deadline_);
     }
     if (part.component.num_arcs() == 0) return;
+    if (options_.proof) {
+      part.proof =
+          std::make_unique<cutting::ProofLog>(part.component,
+                                              charges(part.component),
+                                              pipeline::precision_of(part.component, grid_).error);
+    }
     part.solver = std::make_unique<ComponentSolver>(part.component,
                                                     required(part.component),
                                                     options_,
                                                     grid_,
                                                     options_.seed + 1000003 * p,
                                                     deadline_,
-                                                    monitor_);
+                                                    monitor_,
+                                                    part.proof.get());
+  }
+
+  // By slot: what the shift charges.
+  std::vector<double> charges(const Component& component) const {
+    std::vector<double> charges(component.num_slots(), 0.0);
+    for (std::size_t k = 0; k < component.sizes.size(); ++k) {
+      for (std::uint32_t slot = component.offset[k]; slot <= component.offset[k] + component.sizes[k];
+           ++slot)
+        charges[slot] = shift_.base[component.dimensions[k]][component.origin[slot]];
+    }
+    return charges;
   }
 
   // What must become feasible before the whole is: the components, and whatever is in none.
@@ -252,9 +227,21 @@ class Pipeline {
     merge_multipliers(solution);
     merge_bounds(solution);
     set_status(solution);
+    if (options_.proof && is_bounded_ && solution.status != Status::kInfeasible) prove(solution);
     solution.stats.solve_seconds = deadline_.seconds();
     solution.stats.peak_memory_bytes = pipeline::peak_memory_bytes();
     return solution;
+  }
+
+  void prove(Solution& solution) {
+    Proof& proof = solution.proof.emplace();
+    proof.sizes = solution.sizes;
+    proof.num_arcs = solution.num_arcs;
+    proof.grid = grid_.step;
+    for (Part& part : parts_) {
+      part.solver->finish_proof();
+      proof.parts.push_back(part.proof->take());
+    }
   }
 
   void report(const Part& part, Solution& solution) const {
@@ -276,7 +263,6 @@ class Pipeline {
                          feasible ? base + state.best.cost : kInfinity,
                          base + state.lower,
                          state.method};
-    line.lower_bound = std::min(line.lower_bound, line.cost);  // the base may be rounded away
     if (state.complete && !feasible) {
       line.status = Status::kInfeasible;
       line.lower_bound = kInfinity;
@@ -371,7 +357,7 @@ class Pipeline {
 
   // Too small to matter beside the cost or beside any cost there is.
   bool negligible(double difference, double cost) const {
-    return difference <= 1e-9 * std::abs(cost) || difference <= 1e-9 * smallest_cost();
+    return difference <= 1e-9 * std::abs(cost) || difference <= 1e-9 * pipeline::smallest_cost(problem_);
   }
 
   double bound_of_parts(const Solution& solution) const {
@@ -405,7 +391,7 @@ class Pipeline {
       solution.proven = solution.solutions.front().proven = true;
     } else if (complete) {
       solution.status = Status::kPrecisionLost;
-      solution.reason = "the rounding of the costs hides differences of " + figure_text(error);
+      solution.reason = "the rounding of the costs hides differences of " + pipeline::figure_text(error);
     } else if (options_.relative_gap > 0 && solution.relative_gap() <= options_.relative_gap) {
       solution.status = Status::kGapReached;
     } else {
@@ -440,15 +426,6 @@ class Pipeline {
       solution.lower_bound = solution.stats.certificate_bound;
       solution.stats.bound_by_branching = false;
     }
-  }
-
-  // Least |c| > 0; 0 if there is none.
-  double smallest_cost() const {
-    double least = kInfinity;
-    for_each_cost(problem_, [&](double size) {
-      if (size > 0) least = std::min(least, size);
-    });
-    return least < kInfinity ? least : 0;
   }
 
   // How far the rounding of costs off the grid may let a solution seem cheaper than this one: by

@@ -67,7 +67,7 @@ TEST(CheckCommand, SaysWhatCannotBeChecked) {
   const Outcome outcome = run(folder, "nda check a.nda a.json");
   EXPECT_EQ(outcome.code, 0) << outcome.output;
   EXPECT_THAT(outcome.output,
-              HasSubstr("bound right         by branching: not checkable from the multipliers\n"));
+              HasSubstr("bound right         by branching: not checkable without a whole proof\n"));
 
   write_file(folder / "b.nda", "p nda 2 2 1 4\na 1 1 1\na 2 1 1\na 1 0 inf\na 2 0 inf\n");
   run(folder, "nda solve b.nda -q -o b.json");
@@ -76,6 +76,26 @@ TEST(CheckCommand, SaysWhatCannotBeChecked) {
   EXPECT_THAT(infeasible.output, HasSubstr("feasible            no solution\n"));
   EXPECT_THAT(infeasible.output,
               HasSubstr("bound right         infeasible by branching: not checkable\n"));
+}
+
+TEST(CheckCommand, FollowsAProof) {
+  const TemporaryFolder folder;
+  // Three arcs, pairwise in conflict: optimum -1.25, multipliers prove -1.75.
+  write_file(folder / "a.nda", "p nda 3 1 1 1 3\na 0 1 1 -1.25\na 1 0 1 -1.25\na 1 1 0 -1\n");
+  const Outcome solved = run(folder, "nda solve a.nda -q -o a.json --proof a.proof");
+  EXPECT_EQ(solved.code, 0) << solved.log;
+  const Outcome right = run(folder, "nda check a.nda a.json --proof a.proof");
+  EXPECT_EQ(right.code, 0) << right.output;
+  EXPECT_THAT(right.output, HasSubstr("bound right         yes\n"));
+  EXPECT_THAT(right.output, HasSubstr("proof's bound       -1.25"));
+
+  write_file(folder / "bad.proof", "p nda-proof 3 1 1 1 3 0 1\npart 3 1 1 1 2 1 3 1\nbound 0 0\n");
+  const Outcome wrong = run(folder, "nda check a.nda a.json --proof bad.proof");
+  EXPECT_EQ(wrong.code, 1);
+  EXPECT_THAT(wrong.output, HasSubstr("fault: lower bound -1.25 is stated, the multipliers prove"));
+  write_file(folder / "cut.proof", "p nda-proof 3 1 1 1 3 0 1\npart 3 1 1 1 2 1 3 1\n");
+  EXPECT_THAT(run(folder, "nda check a.nda a.json --proof cut.proof").log,
+              HasSubstr("nda: cut.proof: line 3: expected a step"));
 }
 
 TEST(CheckCommand, NamesTheFileItCannotRead) {

@@ -81,12 +81,27 @@ bool run_solution(std::string_view bytes) {
   return true;
 }
 
+std::string text_of(const Proof& proof) {
+  std::ostringstream text;
+  write_proof(proof, text);
+  return text.str();
+}
+
+bool run_proof(std::string_view bytes) {
+  const auto proof = accepted([&] { return parse_proof(bytes); });
+  if (!proof) return false;
+  const std::string text = text_of(*proof);
+  if (text_of(parse_proof(text)) != text) throw std::logic_error("not restored: " + text);
+  return true;
+}
+
 constexpr Target kTargets[] = {
     {"nda", run_nda},
     {"gzip", run_gzip},
     {"dense", run_dense},
     {"csv", run_csv},
     {"solution", run_solution},
+    {"proof", run_proof},
 };
 
 }  // namespace

@@ -13,7 +13,7 @@ struct Target {
   bool (*run)(std::string_view bytes);
 };
 
-/// nda, gzip, dense, csv, solution.
+/// nda, gzip, dense, csv, solution, proof.
 std::span<const Target> targets();
 
 }  // namespace nda::fuzz

@@ -1,0 +1,111 @@
+#include "cutting/proof_log.hpp"
+
+#include <algorithm>
+
+#include "core/double_double.hpp"
+
+// The checker judges the unshifted problem: there the multiplier of an index is its charge plus the
+// shifted multiplier, whatever the charge was.  Indices whose arcs have all been fixed before what
+// was entered last keep their charge.
+
+namespace nda::cutting {
+namespace {
+
+// Calls visit(slot, dimension of the problem, index of the problem) for all real indices.
+template <typename Visit>
+void for_each_index(const core::Component& component, Visit&& visit) {
+  for (std::size_t k = 0; k < component.sizes.size(); ++k) {
+    for (Index i = 1; i <= component.sizes[k]; ++i) {
+      const std::uint32_t slot = component.offset[k] + i;
+      visit(slot, component.dimensions[k], component.origin[slot]);
+    }
+  }
+}
+
+}  // namespace
+
+ProofLog::ProofLog(const core::Component& component, std::vector<double> base, double slack)
+    : slack_(slack) {
+  core::DoubleDouble constant;
+  for_each_index(component, [&](std::uint32_t slot, std::size_t k, Index i) {
+    if (k >= position_of_.size()) position_of_.resize(k + 1);
+    if (i >= position_of_[k].size()) position_of_[k].resize(i + std::size_t{1}, 0);
+    position_of_[k][i] = static_cast<std::uint32_t>(base_.size());
+    part_.indices.push_back({static_cast<int>(k), i});
+    base_.push_back(base[slot]);
+    constant.add(base[slot]);
+  });
+  constant_ = constant.high();
+  multipliers_.assign(base_.size(), 0.0);
+  enter(component);
+}
+
+void ProofLog::enter(const core::Component& part) {
+  position_.assign(part.num_slots(), 0);
+  for_each_index(part, [&](std::uint32_t slot, std::size_t k, Index i) {
+    position_[slot] = position_of_[k][i];
+  });
+}
+
+void ProofLog::cut_back(std::size_t size) {
+  part_.steps.resize(size);
+  multipliers_.assign(base_.size(), 0.0);
+  for (const ProofStep& step : part_.steps) {
+    for (const auto [position, value] : step.point.changes) multipliers_[position] = value;
+  }
+}
+
+ProofPoint ProofLog::point(std::span<const double> u) {
+  std::vector<double> multipliers = base_;
+  // Dummies are at position 0 with u = 0.
+  for (std::size_t slot = 0; slot < u.size(); ++slot) {
+    if (u[slot] != 0) multipliers[position_[slot]] += u[slot];
+  }
+  ProofPoint point;
+  for (std::uint32_t p = 0; p < multipliers.size(); ++p) {
+    if (multipliers[p] != multipliers_[p]) point.changes.push_back({p, multipliers[p]});
+  }
+  multipliers_ = std::move(multipliers);
+  return point;
+}
+
+ProofPoint ProofLog::point(const Master& master) {
+  ProofPoint point = this->point(master.u());
+  for (const CutRow& row : master.cuts()) {
+    if (row.multiplier == 0) continue;
+    ProofCut cut{{}, row.cut.weights, row.cut.divisor, row.multiplier};
+    for (const std::uint32_t slot : row.cut.slots) cut.positions.push_back(position_[slot]);
+    point.cuts.push_back(std::move(cut));
+  }
+  return point;
+}
+
+void ProofLog::fix(std::span<const double> u, double threshold) {
+  part_.steps.push_back({ProofRule::kFix, point(u), unshifted(threshold), 0, 0});
+}
+
+void ProofLog::fix(const Master& master, double threshold) {
+  part_.steps.push_back({ProofRule::kFix, point(master), unshifted(threshold), 0, 0});
+}
+
+void ProofLog::bound(std::span<const double> u) {
+  part_.steps.push_back({ProofRule::kBound, point(u), 0, 0, 0});
+}
+
+void ProofLog::bound(const Master& master) {
+  part_.steps.push_back({ProofRule::kBound, point(master), 0, 0, 0});
+}
+
+void ProofLog::search(std::span<const double> u, double threshold) {
+  part_.steps.push_back({ProofRule::kSearch, point(u), unshifted(threshold), 0, 0});
+}
+
+void ProofLog::branch(std::uint32_t first, std::uint32_t second, bool together_first) {
+  part_.steps.push_back({together_first ? ProofRule::kTogether : ProofRule::kApart,
+                         {},
+                         0,
+                         position_[first],
+                         position_[second]});
+}
+
+}  // namespace nda::cutting

@@ -1,0 +1,66 @@
+#include "solve/costs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/double_double.hpp"
+#include "nda/check.hpp"
+
+namespace nda::pipeline {
+namespace {
+
+// Calls note(|c|) for all arcs and finite singletons.
+template <typename Note>
+void for_each_cost(const Problem& problem, Note&& note) {
+  for (const double cost : problem.costs()) note(std::abs(cost));
+  for (int k = 0; k < problem.num_dimensions(); ++k) {
+    for (const double cost : problem.singleton_costs(k)) {
+      if (cost < kInfinity) note(std::abs(cost));
+    }
+  }
+}
+
+}  // namespace
+
+double largest_cost(const Problem& problem) {
+  double largest = 0;
+  for_each_cost(problem, [&](double size) { largest = std::max(largest, size); });
+  return largest;
+}
+
+double smallest_cost(const Problem& problem) {
+  double least = kInfinity;
+  for_each_cost(problem, [&](double size) {
+    if (size > 0) least = std::min(least, size);
+  });
+  return least < kInfinity ? least : 0;
+}
+
+std::string figure_text(double figure) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", figure);
+  return text;
+}
+
+Solution overflow(const Problem& problem, double largest) {
+  Solution solution;
+  solution.sizes.assign(problem.sizes().begin(), problem.sizes().end());
+  solution.num_arcs = problem.num_arcs();
+  solution.status = Status::kPrecisionLost;
+  core::DoubleDouble alone;
+  for (int k = 0; k < problem.num_dimensions(); ++k) {
+    for (const double cost : problem.singleton_costs(k)) alone.add(cost);
+  }
+  if (std::isfinite(alone.high())) {
+    solution.cost = alone.high();
+    solution.solutions.push_back({1, solution.cost, false, {}});
+  }
+  for (const Index size : problem.sizes()) solution.multipliers.emplace_back(size, 0.0);
+  solution.lower_bound = certificate_bound(problem, solution.multipliers);
+  solution.stats.certificate_bound = solution.lower_bound;
+  solution.reason = "costs as large as " + figure_text(largest) + " overflow, scale them";
+  return solution;
+}
+
+}  // namespace nda::pipeline

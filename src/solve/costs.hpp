@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "nda/problem.hpp"
+#include "nda/solution.hpp"
+
+namespace nda::pipeline {
+
+/// Largest |c| of arcs and allowed singletons; 0 if there is none.
+double largest_cost(const Problem& problem);
+
+/// Least |c| > 0 of the same; 0 if there is none.
+double smallest_cost(const Problem& problem);
+
+/// A cost for a sentence: three digits.
+std::string figure_text(double figure);
+
+/// The answer where costs as large as `largest` overflow: nothing can be computed but what leaving
+/// every index alone costs, if it may be.
+Solution overflow(const Problem& problem, double largest);
+
+}  // namespace nda::pipeline
