@@ -263,6 +263,7 @@ class Pipeline {
                          feasible ? base + state.best.cost : kInfinity,
                          base + state.lower,
                          state.method};
+    line.lower_bound = std::min(line.lower_bound, line.cost);  // the base may be rounded away
     if (state.complete && !feasible) {
       line.status = Status::kInfeasible;
       line.lower_bound = kInfinity;

@@ -165,5 +165,23 @@ TEST(Precision, HoldsForCostsOfAnyOrdinarySize) {
   }
 }
 
+TEST(ComponentReport, HasNoBoundAboveItsCost) {
+  Options options;
+  options.method = Method::kRelaxation;
+  for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+    SCOPED_TRACE(seed);
+    support::RandomProblemOptions shape;
+    shape.sizes.assign(2 + seed % 4, 5);
+    shape.singletons = support::SingletonKind::kForbidden;
+    shape.costs = support::CostKind::kZero;
+    shape.plant = true;
+    options.relaxation.dual_method = static_cast<DualMethod>(seed % 3);
+    for (const ComponentReport& line :
+         solve(support::random_problem(seed, shape), options).components) {
+      EXPECT_LE(line.lower_bound, line.cost);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace nda
