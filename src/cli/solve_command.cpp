@@ -127,6 +127,8 @@ int exit_code(const Solution& solution) {
 
 // What is wrong with the output file is better known before a solve of hours.
 void require_good_output(const std::string& output, const std::string& input) {
+  if (std::filesystem::is_directory(output))
+    throw InputError(output + ": cannot write: Is a directory");
   const std::filesystem::path folder = std::filesystem::path(output).parent_path();
   if (!folder.empty() && !std::filesystem::is_directory(folder)) {
     throw InputError(output + ": cannot write: there is no folder " + folder.string());
