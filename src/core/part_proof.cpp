@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint32_t kNowhere = std::numeric_limits<std::uint32_t>::max();
 constexpr double kMostSearchWork = 2e9;  // arcs that all searches of a part may look at
-constexpr int kMostDepth = 10000;        // of branchings
+constexpr int kMostDepth = 10000;        // of branchings, and of a search: the stack has an end
 // Sums of so few terms in double-double err by less than this share of their absolute values.
 constexpr double kShare = 0x1p-90;
 
@@ -233,6 +233,7 @@ class PartProof {
   double search(const ProofStep& step) {
     if (!step.point.cuts.empty()) fault("a search takes no cuts");
     if (!std::isfinite(step.threshold)) fault("a search without a finite threshold");
+    if (singletons_.size() > kMostDepth) fault("a search over too many indices");
     const double value = price(step.point);
     alone_.assign(singletons_.size(), kInfinity);
     for (std::uint32_t p = 0; p < singletons_.size(); ++p) {

@@ -150,6 +150,17 @@ TEST(CheckProof, RefusesTreesTooDeepForTheStack) {
   EXPECT_THAT(report(frame(std::move(steps))).fault, HasSubstr("too deep"));
 }
 
+TEST(CheckProof, RefusesSearchesTooDeepForTheStack) {
+  ProblemBuilder builder({200000, 1});
+  builder.add_arc({1, 1}, -1);
+  Proof proof;
+  proof.sizes = {200000, 1};
+  proof.num_arcs = 1;
+  proof.parts.push_back({{{1, 1}}, {{ProofRule::kSearch, {}, 0, 0, 0}}});
+  for (Index i = 1; i <= 200000; ++i) proof.parts[0].indices.push_back({0, i});
+  EXPECT_THAT(check_proof(std::move(builder).build(), proof).fault, HasSubstr("too many indices"));
+}
+
 // Any tree at all, with any numbers.
 class RandomProof {
  public:
