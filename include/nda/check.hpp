@@ -16,8 +16,8 @@ struct CheckReport {
   bool feasible = false;
   bool cost_right = false;  ///< there is a solution, and every stated cost is the recomputed one
                             ///< (1e-9 relative)
-  /// The multipliers, or the proof that was given, prove the stated bound; of an infeasible problem: some index has no arc and a
-  /// forbidden singleton.
+  /// The multipliers, or the proof that was given, prove the stated bound; of an infeasible
+  /// problem: some index has no arc and a forbidden singleton.
   bool bound_right = false;
   /// The stated bound (or infeasibility) is said to rest on the search, and nothing denies it:
   /// that cannot be checked from the multipliers.  Never true together with bound_right.
@@ -42,8 +42,8 @@ struct CheckReport {
 CheckReport check(const Problem& problem, const Solution& solution);
 
 /// The same with a proof of the bound, see check_proof(): what branching adds to the certificate is
-/// then judged too.  A proof with a fault is a fault, and so is one that falls short of the bound of
-/// a cost that is stated to be proven; else it may, as limits leave trees unfinished.
+/// then judged too.  A proof with a fault is a fault, and so is one that falls short of the bound
+/// of a cost that is stated to be proven; else it may, as limits leave trees unfinished.
 CheckReport check(const Problem& problem, const Solution& solution, const Proof& proof);
 
 /// The certificate: sum u + sum over arcs and singletons of min(0, c_a - sum of u over a), rounded

@@ -60,9 +60,9 @@ enum class ProofRule : std::uint8_t {
 /// A step of a proof; which fields count depends on the rule.
 struct ProofStep {
   ProofRule rule = ProofRule::kBound;
-  ProofPoint point;          ///< of kBound, kFix; of kSearch without cuts
-  double threshold = 0;      ///< of kFix, kSearch: a cost
-  std::uint32_t first = 0;   ///< of kTogether, kApart: positions
+  ProofPoint point;         ///< of kBound, kFix; of kSearch without cuts
+  double threshold = 0;     ///< of kFix, kSearch: a cost
+  std::uint32_t first = 0;  ///< of kTogether, kApart: positions
   std::uint32_t second = 0;
 };
 
@@ -78,9 +78,9 @@ struct ProofPart {
 /// using: there is an optimal solution without any.  All others must lie within one part each.
 /// Indices in no part cost their singletons.
 struct Proof {
-  std::vector<Index> sizes;   ///< M_k of the problem
-  std::size_t num_arcs = 0;   ///< of the problem
-  double grid = 0;            ///< all costs are multiples of it but for one rounding; 0 = not known
+  std::vector<Index> sizes;  ///< M_k of the problem
+  std::size_t num_arcs = 0;  ///< of the problem
+  double grid = 0;           ///< all costs are multiples of it but for one rounding; 0 = not known
   std::vector<ProofPart> parts;
 };
 

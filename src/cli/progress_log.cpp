@@ -9,8 +9,8 @@ void ProgressLog::operator()(const Progress& progress) {
   const double open = progress.cost - progress.lower_bound;
   const double gap = std::isfinite(open) ? open / std::max(1e-9, std::abs(progress.cost)) : open;
   const bool closes = !closed_ && gap <= 1e-12;
-  const bool ends = !ended_ && progress.num_components > 0 &&
-                    progress.components_done == progress.num_components;
+  const bool ends =
+      !ended_ && progress.num_components > 0 && progress.components_done == progress.num_components;
   if (progress.seconds < next_seconds_ && !closes && !ends) return;
   closed_ = closed_ || closes;
   ended_ = ended_ || ends;

@@ -53,11 +53,14 @@ class ProofWalk {
   static std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
   void check_frame() const {
-    if (!std::equal(proof_.sizes.begin(), proof_.sizes.end(), problem_.sizes().begin(),
+    if (!std::equal(proof_.sizes.begin(),
+                    proof_.sizes.end(),
+                    problem_.sizes().begin(),
                     problem_.sizes().end()))
       throw ProofFault{"the proof is of a problem of other sizes"};
     if (proof_.num_arcs != problem_.num_arcs())
-      throw ProofFault{"the proof is of a problem with " + std::to_string(proof_.num_arcs) + " arcs"};
+      throw ProofFault{"the proof is of a problem with " + std::to_string(proof_.num_arcs) +
+                       " arcs"};
     if (proof_.grid != 0) check_grid();
   }
 
@@ -161,7 +164,9 @@ class ProofWalk {
 
   // A cost of the part is a multiple of the grid, but for the rounding of its terms, of which there
   // are at most as many as indices.
-  double rounded_up(double bound, const PartArcs& arcs, const std::vector<double>& singletons) const {
+  double rounded_up(double bound,
+                    const PartArcs& arcs,
+                    const std::vector<double>& singletons) const {
     double largest = 0;
     bool exact = true;
     const auto note = [&](double cost) {
@@ -172,8 +177,7 @@ class ProofWalk {
     for (const double cost : singletons) {
       if (cost < kInfinity) note(cost);
     }
-    const double error =
-        exact ? 0 : 0x1p-50 * static_cast<double>(singletons.size()) * largest;
+    const double error = exact ? 0 : 0x1p-50 * static_cast<double>(singletons.size()) * largest;
     const double steps = (bound - error) / proof_.grid;
     if (!(std::abs(steps) < kMostGridSteps)) return bound;
     const double whole = std::ceil(steps - 0x1p-50 * std::abs(steps));

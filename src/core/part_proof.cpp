@@ -8,8 +8,8 @@
 
 // A proof is followed step by step: which arcs and which singletons are still allowed is the state,
 // every step returns a bound on what the allowed ones can do.  Nothing in the file is believed but
-// multipliers, cuts and thresholds, and these may be any numbers: worse ones prove less.  Rounding is
-// always against the proof.
+// multipliers, cuts and thresholds, and these may be any numbers: worse ones prove less.  Rounding
+// is always against the proof.
 
 namespace nda::core {
 namespace {

@@ -32,8 +32,8 @@ struct PartArcs {
   }
 };
 
-/// What the steps of a part show: a lower bound on every choice of its arcs and singletons that uses
-/// each index exactly once.
+/// What the steps of a part show: a lower bound on every choice of its arcs and singletons that
+/// uses each index exactly once.
 /// @param singletons  by position; +inf = forbidden.
 /// Throws ProofFault "step 3: ..." where they are no tree.
 double part_bound(const PartArcs& arcs,

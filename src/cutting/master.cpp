@@ -98,8 +98,9 @@ void Master::insert(std::span<const ArcId> arcs) {
     }
     column_of_[arcs[k]] = static_cast<int>(u_.size() + column_arc_.size());
     column_arc_.push_back(arcs[k]);
-    program_.add_column(
-        {rows, values}, component_.costs[arcs[k]] * scale_, forbidden_[arcs[k]] > 0 ? 0.0 : kInfinity);
+    program_.add_column({rows, values},
+                        component_.costs[arcs[k]] * scale_,
+                        forbidden_[arcs[k]] > 0 ? 0.0 : kInfinity);
   }
 }
 
@@ -124,7 +125,8 @@ void Master::price() {
 std::vector<ArcId> Master::entering() const {
   std::vector<ArcId> found;
   for (const ArcId a : live_) {
-    if (reduced_[a] * scale_ < -kTolerance && column_of_[a] < 0 && forbidden_[a] == 0) found.push_back(a);
+    if (reduced_[a] * scale_ < -kTolerance && column_of_[a] < 0 && forbidden_[a] == 0)
+      found.push_back(a);
   }
   if (found.size() > kMostEntering) {
     std::nth_element(

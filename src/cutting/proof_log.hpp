@@ -42,10 +42,10 @@ class ProofLog {
   ProofPoint point(const Master& master);
   double unshifted(double threshold) const { return threshold + constant_ - slack_; }
 
-  std::vector<double> base_;                // by position
-  std::vector<double> multipliers_;         // by position: of the last step
+  std::vector<double> base_;                             // by position
+  std::vector<double> multipliers_;                      // by position: of the last step
   std::vector<std::vector<std::uint32_t>> position_of_;  // [dimension of the problem][its index]
-  std::vector<std::uint32_t> position_;     // by slot, of what was entered last
+  std::vector<std::uint32_t> position_;                  // by slot, of what was entered last
   double constant_ = 0;
   double slack_;
   ProofPart part_;

@@ -1,8 +1,9 @@
+#include "io/proof_file.hpp"
+
 #include <limits>
 #include <string>
 #include <utility>
 
-#include "io/proof_file.hpp"
 #include "io/readers.hpp"
 
 // Words and numbers, free of lines: the writer breaks them where they grow long.
@@ -125,10 +126,10 @@ class ProofReader {
 
  private:
   static constexpr std::uint64_t kMostIndices = std::numeric_limits<Index>::max();
-  static constexpr std::size_t kLeastBytesPerPart = 8;    // "part 0 0"
-  static constexpr std::size_t kLeastBytesPerPair = 4;    // "1 1 "
-  static constexpr std::size_t kLeastBytesPerCut = 6;     // "0 1 0 "
-  static constexpr std::size_t kLeastBytesPerStep = 9;    // "apart 1 2"
+  static constexpr std::size_t kLeastBytesPerPart = 8;  // "part 0 0"
+  static constexpr std::size_t kLeastBytesPerPair = 4;  // "1 1 "
+  static constexpr std::size_t kLeastBytesPerCut = 6;   // "0 1 0 "
+  static constexpr std::size_t kLeastBytesPerStep = 9;  // "apart 1 2"
 
   ProofPart read_part() {
     expect("part");
@@ -194,7 +195,8 @@ class ProofReader {
   void expect(std::string_view word) {
     const std::string quoted = in_quotes(word);
     to_word(quoted);
-    if (scanner_.word() != word) scanner_.fail("expected " + quoted + ", found " + scanner_.found());
+    if (scanner_.word() != word)
+      scanner_.fail("expected " + quoted + ", found " + scanner_.found());
     skip(word.size());
   }
 

@@ -8,8 +8,9 @@
 
 // The report recovers once, from the optimal multipliers; but its own implementation recovers at
 // every nonsmooth step once the problem is three-dimensional, because neighbouring multipliers give
-// different alignments and each is a new chance.  `recovery_interval` lies between the two; the best
-// multipliers always have their recovery. A packing of cost z recovered on the way ends the loop when the bound reaches z: hence the goal moves.
+// different alignments and each is a new chance.  `recovery_interval` lies between the two; the
+// best multipliers always have their recovery. A packing of cost z recovered on the way ends the
+// loop when the bound reaches z: hence the goal moves.
 
 namespace nda::relax {
 namespace {

@@ -13,7 +13,8 @@ namespace nda::pipeline {
 /// Adds up what the components report and tells the user; safe to call from several threads.
 class Monitor {
  public:
-  /// @param stop  asked to stop when the user's callback returns false; it is not called again then.
+  /// @param stop  asked to stop when the user's callback returns false; it is not called again
+  /// then.
   Monitor(const std::function<bool(const Progress&)>& callback, std::stop_source stop);
 
   /// The components are known.

@@ -154,7 +154,8 @@ class Pipeline {
   std::vector<double> charges(const Component& component) const {
     std::vector<double> charges(component.num_slots(), 0.0);
     for (std::size_t k = 0; k < component.sizes.size(); ++k) {
-      for (std::uint32_t slot = component.offset[k]; slot <= component.offset[k] + component.sizes[k];
+      for (std::uint32_t slot = component.offset[k];
+           slot <= component.offset[k] + component.sizes[k];
            ++slot)
         charges[slot] = shift_.base[component.dimensions[k]][component.origin[slot]];
     }
@@ -358,7 +359,8 @@ class Pipeline {
 
   // Too small to matter beside the cost or beside any cost there is.
   bool negligible(double difference, double cost) const {
-    return difference <= 1e-9 * std::abs(cost) || difference <= 1e-9 * pipeline::smallest_cost(problem_);
+    return difference <= 1e-9 * std::abs(cost) ||
+           difference <= 1e-9 * pipeline::smallest_cost(problem_);
   }
 
   double bound_of_parts(const Solution& solution) const {
@@ -392,7 +394,8 @@ class Pipeline {
       solution.proven = solution.solutions.front().proven = true;
     } else if (complete) {
       solution.status = Status::kPrecisionLost;
-      solution.reason = "the rounding of the costs hides differences of " + pipeline::figure_text(error);
+      solution.reason =
+          "the rounding of the costs hides differences of " + pipeline::figure_text(error);
     } else if (options_.relative_gap > 0 && solution.relative_gap() <= options_.relative_gap) {
       solution.status = Status::kGapReached;
     } else {

@@ -110,7 +110,10 @@ struct Spoiled {
 TEST(CheckProof, NamesTheFault) {
   const auto point = [](Proof& proof) -> ProofPoint& { return proof.parts[0].steps[0].point; };
   const std::vector<Spoiled> all = {
-      {"other sizes", [](Proof& p) { p.sizes = {1, 1, 2}; }},
+      {"other sizes",
+       [](Proof& p) {
+         p.sizes = {1, 1, 2};
+       }},
       {"with 4 arcs", [](Proof& p) { p.num_arcs = 4; }},
       {"the grid is not positive", [](Proof& p) { p.grid = -1; }},
       {"not a multiple of the grid", [](Proof& p) { p.grid = 0.3; }},
@@ -121,7 +124,9 @@ TEST(CheckProof, NamesTheFault) {
       {"the tree has no end", [](Proof& p) { p.parts[0].steps.clear(); }},
       {"steps are left over", [](Proof& p) { p.parts[0].steps.push_back(bound(0)); }},
       {"multiplier is of an index out of range",
-       [&](Proof& p) { point(p).changes.push_back({3, 1}); }},
+       [&](Proof& p) {
+         point(p).changes.push_back({3, 1});
+       }},
       {"multiplier is not finite", [&](Proof& p) { point(p).changes[0].value = kInfinity; }},
       {"not one weight an index", [&](Proof& p) { point(p).cuts[0].weights.pop_back(); }},
       {"divisor 0", [&](Proof& p) { point(p).cuts[0].divisor = 0; }},
@@ -133,8 +138,7 @@ TEST(CheckProof, NamesTheFault) {
          p.parts[0].steps.insert(p.parts[0].steps.begin(), {ProofRule::kApart, {}, 0, 1, 1});
        }},
       {"takes no cuts", [](Proof& p) { p.parts[0].steps[0].rule = ProofRule::kSearch; }},
-      {"without a finite threshold",
-       [](Proof& p) { p.parts[0].steps = {search(0, kInfinity)}; }},
+      {"without a finite threshold", [](Proof& p) { p.parts[0].steps = {search(0, kInfinity)}; }},
   };
   for (const Spoiled& spoiled : all) {
     Proof proof = frame({bound(0, {{{0, 1, 2}, {1, 1, 1}, 2, -1}})});
