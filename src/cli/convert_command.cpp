@@ -1,6 +1,7 @@
 #include <memory>
 #include <string>
 
+#include "cli/checks.hpp"
 #include "cli/commands.hpp"
 #include "nda/io.hpp"
 
@@ -22,6 +23,7 @@ int convert(const ConvertArguments& arguments) {
   if (write_options.format == FileFormat::kAuto) {
     write_options.format = format_of(arguments.output);
   }
+  require_other_file(arguments.output, arguments.input);
   write_problem(read_problem(arguments.input, read_options), arguments.output, write_options);
   return kAnswer;
 }

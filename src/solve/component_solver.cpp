@@ -59,6 +59,23 @@ bnb::Reduction reduce(const Component& component, const bnb::NodeBound& bound, d
   return reduction;
 }
 
+// If any packing covers all required slots, one does that costs no more: it has no other arcs, and
+// the required slots of an arc share its cost.
+double dearest_covering(const Component& component, const std::vector<bool>& required) {
+  std::vector<double> share(component.num_slots(), -kInfinity);
+  for (ArcId a = 0; a < component.num_arcs(); ++a) {
+    int count = 0;
+    core::for_each_slot(component, a, [&](std::uint32_t slot) { count += required[slot]; });
+    core::for_each_slot(component, a, [&](std::uint32_t slot) {
+      share[slot] = std::max(share[slot], component.costs[a] / std::max(1, count));
+    });
+  }
+  for (std::size_t slot = 0; slot < share.size(); ++slot) {
+    if (!required[slot]) share[slot] = 0;
+  }
+  return std::accumulate(share.begin(), share.end(), 0.0);
+}
+
 }  // namespace
 
 Precision precision_of(const Component& component, const core::CostGrid& grid) {
@@ -95,6 +112,7 @@ ComponentSolver::ComponentSolver(const Component& component,
   if (bounded()) monitor_.add_component(state_.lower);
   state_.feasible = covers_required({});
   if (state_.feasible && !required_.empty()) monitor_.component_feasible();
+  if (!state_.feasible) dearest_ = dearest_covering(component, required_);
 }
 
 relax::LagrangianOptions ComponentSolver::loop_options(const Component& component) const {
@@ -344,7 +362,10 @@ void ComponentSolver::raise_bound(double lower, const char* event) {
   // best.
   const bool meets = std::max(lower, state_.lower) >= cutoff();
   if (meets) lower = std::max(lower, state_.best.cost - precision_.error);
-  const bool done = meets && !state_.complete;
+  // A bound above all that covers what must be covered proves that nothing does.
+  const bool hopeless =
+      !state_.feasible && std::max(lower, state_.lower) > dearest_ + precision_.error;
+  const bool done = (meets || hopeless) && !state_.complete;
   if (done) {
     state_.complete = true;
     monitor_.component_done();

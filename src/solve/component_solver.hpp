@@ -34,7 +34,7 @@ struct ComponentState {
   std::vector<double> u;              ///< feasible multipliers by slot: the certificate
   double certificate = 0;             ///< sum u
   double lower = 0;                   ///< proven bound, >= certificate where branching helped
-  bool complete = false;              ///< best is optimal to precision.error
+  bool complete = false;              ///< best is optimal to precision.error, or none is feasible
   bool feasible = false;              ///< best leaves no required slot uncovered
   const char* method = "";            ///< what solved it, or worked on it last
   Status stopped = Status::kOptimal;  ///< why work on it ended; set by finish()
@@ -106,6 +106,7 @@ class ComponentSolver {
   cutting::ProofLog* const proof_;
   bool enumerated_ = false;
   double certify_s_ = 0;  // what making multipliers feasible took
+  double dearest_ = 0;    // if any packing covers all required slots, one costs no more
   ComponentState state_;
 };
 

@@ -14,6 +14,15 @@ using ::testing::HasSubstr;
 
 const std::string kText = "p nda 2 2 2 3\na 0 1 7\na 1 1 4\na 2 2 -3.5\n";
 
+TEST(ConvertCommand, DoesNotReplaceItsInput) {
+  const TemporaryFolder folder;
+  write_file(folder / "a.nda", "c kept\np nda 2 1 1 1\na 1 1 -1\n");
+  const Outcome outcome = run(folder, "nda convert a.nda ./a.nda");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.log, HasSubstr("./a.nda: cannot write: it is the problem itself"));
+  EXPECT_THAT(contents(folder / "a.nda"), HasSubstr("c kept"));
+}
+
 TEST(ConvertCommand, GoesThroughEveryFormatAndBack) {
   const TemporaryFolder folder;
   write_file(folder / "a.nda", kText);

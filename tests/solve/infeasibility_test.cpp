@@ -7,6 +7,7 @@
 #include <regex>
 #include <sstream>
 
+#include "core/random.hpp"
 #include "nda/solve.hpp"
 #include "support/brute_force.hpp"
 #include "support/random_problems.hpp"
@@ -166,6 +167,23 @@ TEST(InfeasibilityReason, NamesASetThatCannotBeCoveredWhateverElseCan) {
   EXPECT_GT(num_without_arcs, 50);
   EXPECT_GT(num_hall, 50);
   EXPECT_GT(num_infeasible - num_without_arcs - num_hall, 50);
+}
+
+TEST(Infeasibility, IsProvenByABoundAboveAllSolutions) {
+  ProblemBuilder builder({30, 30, 29});
+  core::Random random(1);
+  for (Index i = 1; i <= 30; ++i) {
+    builder.add_arc({i, 0, 0}, kInfinity);
+    for (int n = 0; n < 40; ++n) {
+      const auto any = [&](std::uint64_t size) {
+        return static_cast<Index>(1 + random.below(size));
+      };
+      builder.add_arc({i, any(30), any(29)}, random.uniform(-10, 10));
+    }
+  }
+  Options options;
+  options.method = Method::kRelaxation;
+  EXPECT_EQ(solve(std::move(builder).build(), options).status, Status::kInfeasible);
 }
 
 TEST(IndicesWithoutArcs, AreThoseThatNothingCanCover) {
