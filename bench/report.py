@@ -151,7 +151,8 @@ better.  Confirmed means: lowest median, and best on more than half of the insta
 ## Section 4.7: up to what size to enumerate
 
 The report: branch and bound for components of four or five arcs.  Time to a proof by size of the component: the default method, with enumeration
-before everything else, and without it (relaxation, local search, branch and cut).  Time of the processor, least of three runs.
+before everything else, and without it (relaxation, local search, branch and cut).  Time of the processor, least of three runs.  Of larger
+components than the last row's some take minutes, either way.
 
 {threshold}
 

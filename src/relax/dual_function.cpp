@@ -122,9 +122,7 @@ DualFunction::~DualFunction() = default;
 
 double DualFunction::evaluate(std::span<const double> u, std::span<double> subgradient) {
   std::copy(u.begin(), u.end(), slot_u_.begin() + first_slot_);
-  const core::Stopwatch watch;
   collapse(component_, cells_, slot_u_, d_, cell_arc_);
-  collapse_seconds_ += watch.seconds();
   interrupted_ = !assignment_->solve(d_);
 
   double value = assignment_->result.cost;

@@ -66,9 +66,6 @@ class DualFunction : public dual::ConcaveFunction {
   /// make_feasible().
   void multipliers(std::span<double> all) const;
 
-  /// Seconds spent in the collapse so far (the lower line of the report's figure 5.1).
-  double collapse_seconds() const { return collapse_seconds_; }
-
  private:
   struct Assignment;
 
@@ -87,7 +84,6 @@ class DualFunction : public dual::ConcaveFunction {
   std::vector<core::ArcId> chosen_;
   std::vector<std::uint32_t> aligned_cells_;
   std::unique_ptr<Assignment> assignment_;
-  double collapse_seconds_ = 0;
   bool interrupted_ = false;
 };
 

@@ -266,16 +266,6 @@ TEST(DualFunction, UsesTheCellOfTwoDummiesAsOftenAsItPays) {
   EXPECT_THAT(g, ElementsAre(0, -1, 0, 0, 0, -1));
 }
 
-TEST(DualFunction, CountsTheTimeOfTheCollapse) {
-  const Component component = support::random_component(1);
-  DualFunction function(component);
-  EXPECT_EQ(function.collapse_seconds(), 0);
-  std::vector<double> u(function.num_variables(), 0.0);
-  std::vector<double> g(u.size());
-  for (int i = 0; i < 100; ++i) function.evaluate(u, g);
-  EXPECT_GT(function.collapse_seconds(), 0);
-}
-
 TEST(DualFunction, AllocatesNothingAfterTheFirstEvaluation) {
   for (const Assign2dMethod method : {Assign2dMethod::kShortestPath, Assign2dMethod::kAuction}) {
     support::RandomComponentOptions options;
