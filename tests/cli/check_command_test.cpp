@@ -84,6 +84,7 @@ TEST(CheckCommand, FollowsAProof) {
   write_file(folder / "a.nda", "p nda 3 1 1 1 3\na 0 1 1 -1.25\na 1 0 1 -1.25\na 1 1 0 -1\n");
   const Outcome solved = run(folder, "nda solve a.nda -q -o a.json --proof a.proof");
   EXPECT_EQ(solved.code, 0) << solved.log;
+  EXPECT_EQ(run(folder, "nda solve a.nda -q --proof -").code, 2) << "the summary is there already";
   const Outcome right = run(folder, "nda check a.nda a.json --proof a.proof");
   EXPECT_EQ(right.code, 0) << right.output;
   EXPECT_THAT(right.output, HasSubstr("bound right         yes\n"));
