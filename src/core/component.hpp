@@ -53,6 +53,17 @@ struct Component {
   }
 };
 
+/// Calls visit(slot, dimension, index) for every real index of a component, the last two as the
+/// problem numbers them.
+template <typename Visit>
+void for_each_index(const Component& component, Visit&& visit) {
+  for (std::size_t k = 0; k < component.sizes.size(); ++k) {
+    const std::uint32_t dummy = component.offset[k];
+    for (std::uint32_t slot = dummy + 1; slot <= dummy + component.sizes[k]; ++slot)
+      visit(slot, std::size_t{component.dimensions[k]}, component.origin[slot]);
+  }
+}
+
 /// A feasible choice of arcs of a component and its shifted cost; empty = everything uncovered,
 /// cost 0.
 struct Packing {

@@ -9,25 +9,11 @@
 // was entered last keep their charge.
 
 namespace nda::cutting {
-namespace {
-
-// Calls visit(slot, dimension of the problem, index of the problem) for all real indices.
-template <typename Visit>
-void for_each_index(const core::Component& component, Visit&& visit) {
-  for (std::size_t k = 0; k < component.sizes.size(); ++k) {
-    for (Index i = 1; i <= component.sizes[k]; ++i) {
-      const std::uint32_t slot = component.offset[k] + i;
-      visit(slot, component.dimensions[k], component.origin[slot]);
-    }
-  }
-}
-
-}  // namespace
 
 ProofLog::ProofLog(const core::Component& component, std::vector<double> base, double slack)
     : slack_(slack) {
   core::DoubleDouble constant;
-  for_each_index(component, [&](std::uint32_t slot, std::size_t k, Index i) {
+  core::for_each_index(component, [&](std::uint32_t slot, std::size_t k, Index i) {
     if (k >= position_of_.size()) position_of_.resize(k + 1);
     if (i >= position_of_[k].size()) position_of_[k].resize(i + std::size_t{1}, 0);
     position_of_[k][i] = static_cast<std::uint32_t>(base_.size());
@@ -42,7 +28,7 @@ ProofLog::ProofLog(const core::Component& component, std::vector<double> base, d
 
 void ProofLog::enter(const core::Component& part) {
   position_.assign(part.num_slots(), 0);
-  for_each_index(part, [&](std::uint32_t slot, std::size_t k, Index i) {
+  core::for_each_index(part, [&](std::uint32_t slot, std::size_t k, Index i) {
     position_[slot] = position_of_[k][i];
   });
 }

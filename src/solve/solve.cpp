@@ -1,9 +1,5 @@
 #include "nda/solve.hpp"
 
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -20,6 +16,7 @@
 #include "solve/costs.hpp"
 #include "solve/infeasibility.hpp"
 #include "solve/monitor.hpp"
+#include "solve/parallel.hpp"
 #include "solve/process.hpp"
 
 // The pipeline: shift, split, solve the parts in two rounds, merge.  The first round gives every
@@ -92,18 +89,19 @@ class Pipeline {
     parts_.resize(partition_.num_components());
     deadline_ = deadline_.earlier(kMergeSecondsPerPart * static_cast<double>(parts_.size()));
     monitor_.begin(shift_.constant, parts_.size(), num_infeasible());
-    tbb::enumerable_thread_specific<core::Cutter> cutters;
-    for_all_parts([&](std::size_t p) { prepare_part(p, cutters.local()); });
+    std::vector<core::Cutter> cutters(
+        static_cast<std::size_t>(pipeline::num_workers(options_.num_threads)));
+    for_all_parts([&](std::size_t p, std::size_t worker) { prepare_part(p, cutters[worker]); });
     is_bounded_ = std::all_of(parts_.begin(), parts_.end(), [](const Part& part) {
       return part.solver != nullptr && part.solver->bounded();
     });
   }
 
   void work() {
-    for_all_parts([&](std::size_t p) { parts_[p].solver->start(); });
+    for_all_parts([&](std::size_t p, std::size_t) { parts_[p].solver->start(); });
     const double gap = allowed_gap();
     const double open = total(&best_cost) - total(&lower_bound);
-    for_all_parts([&](std::size_t p) {
+    for_all_parts([&](std::size_t p, std::size_t) {
       const ComponentState& state = parts_[p].solver->state();
       const double share = open > 0 ? (state.best.cost - state.lower) / open : 0.0;
       parts_[p].solver->finish(share > 0 ? gap * share : 0.0);
@@ -112,16 +110,7 @@ class Pipeline {
 
   template <typename Work>
   void for_all_parts(Work&& work) {
-    if (options_.num_threads == 1 || parts_.size() <= 1) {
-      for (std::size_t p = 0; p < parts_.size(); ++p) work(p);
-      return;
-    }
-    tbb::task_arena arena(options_.num_threads == 0 ? tbb::task_arena::automatic
-                                                    : options_.num_threads);
-    arena.execute([&] {
-      tbb::parallel_for(
-          std::size_t{0}, parts_.size(), std::size_t{1}, work, tbb::simple_partitioner());
-    });
+    pipeline::for_all(parts_.size(), options_.num_threads, work);
   }
 
   void prepare_part(std::size_t p, core::Cutter& cutter) {
@@ -153,12 +142,9 @@ class Pipeline {
   // By slot: what the shift charges.
   std::vector<double> charges(const Component& component) const {
     std::vector<double> charges(component.num_slots(), 0.0);
-    for (std::size_t k = 0; k < component.sizes.size(); ++k) {
-      for (std::uint32_t slot = component.offset[k];
-           slot <= component.offset[k] + component.sizes[k];
-           ++slot)
-        charges[slot] = shift_.base[component.dimensions[k]][component.origin[slot]];
-    }
+    core::for_each_index(component, [&](std::uint32_t slot, std::size_t k, Index i) {
+      charges[slot] = shift_.base[k][i];
+    });
     return charges;
   }
 
@@ -172,13 +158,9 @@ class Pipeline {
   std::vector<bool> required(const Component& component) const {
     if (shift_.penalty == 0) return {};
     std::vector<bool> required(component.num_slots(), false);
-    for (std::size_t k = 0; k < component.sizes.size(); ++k) {
-      const auto singletons = problem_.singleton_costs(component.dimensions[k]);
-      for (Index i = 1; i <= component.sizes[k]; ++i) {
-        const std::uint32_t slot = component.offset[k] + i;
-        required[slot] = singletons[component.origin[slot]] == kInfinity;
-      }
-    }
+    core::for_each_index(component, [&](std::uint32_t slot, std::size_t k, Index i) {
+      required[slot] = problem_.singleton_costs(static_cast<int>(k))[i] == kInfinity;
+    });
     return required;
   }
 
@@ -249,14 +231,10 @@ class Pipeline {
     const ComponentState& state = part.solver->state();
     double base = 0;
     bool feasible = true;
-    for (std::size_t k = 0; k < part.component.sizes.size(); ++k) {
-      for (Index i = 1; i <= part.component.sizes[k]; ++i) {
-        const std::size_t dimension = part.component.dimensions[k];
-        const Index origin = part.component.origin[part.component.offset[k] + i];
-        base += shift_.base[dimension][origin];
-        feasible = feasible && !is_missing(dimension, origin);
-      }
-    }
+    core::for_each_index(part.component, [&](std::uint32_t, std::size_t k, Index i) {
+      base += shift_.base[k][i];
+      feasible = feasible && !is_missing(k, i);
+    });
     ComponentReport line{part.component.num_arcs(),
                          part.component.num_indices(),
                          is_bounded_ ? state.stopped : why_stopped(),
@@ -323,13 +301,9 @@ class Pipeline {
       // With the penalties dropped, multipliers that were found for them fit no longer.
       if (part.solver == nullptr || (!is_bounded_ && shift_.penalty > 0)) continue;
       const std::vector<double>& u = part.solver->state().u;
-      for (std::size_t k = 0; k < part.component.sizes.size(); ++k) {
-        for (Index i = 1; i <= part.component.sizes[k]; ++i) {
-          const std::uint32_t slot = part.component.offset[k] + i;
-          solution.multipliers[part.component.dimensions[k]][part.component.origin[slot] - 1] +=
-              u[slot];
-        }
-      }
+      core::for_each_index(part.component, [&](std::uint32_t slot, std::size_t k, Index i) {
+        solution.multipliers[k][i - 1] += u[slot];
+      });
     }
   }
 

@@ -40,7 +40,7 @@ SYSTEM = re.compile(r"sys/\w+\.h|(fcntl|pthread|signal|spawn|stdlib|unistd)\.h")
 SYSTEM_FOLDERS = {"io", "solve", "mip", "cli"}
 
 # Libraries that only one file of that folder may include.
-ONE_ADAPTER = {"lemon/", "nlopt", "coin/"}
+ONE_ADAPTER = {"lemon/", "nlopt", "coin/", "tbb/"}
 
 _INCLUDE = re.compile(r'^\s*#\s*include\s*(<[^>]+>|"[^"]+")')
 

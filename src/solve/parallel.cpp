@@ -1,0 +1,38 @@
+#include "solve/parallel.hpp"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+// The one file that knows oneTBB, compiled without the thread sanitizer (see src/CMakeLists.txt):
+// the library itself is not instrumented, so that the half of it that stands in its headers would
+// seem to race with the other half.  Hence it takes a plain function and shares no other code.
+
+namespace nda::pipeline {
+namespace {
+
+tbb::task_arena make_arena(int num_threads) {
+  return tbb::task_arena(num_threads == 0 ? tbb::task_arena::automatic : num_threads);
+}
+
+}  // namespace
+
+int num_workers(int num_threads) { return make_arena(num_threads).max_concurrency(); }
+
+void for_all(std::size_t count,
+             int num_threads,
+             void* context,
+             void (*call)(void* context, std::size_t i, std::size_t worker)) {
+  if (num_threads == 1 || count <= 1) {
+    for (std::size_t i = 0; i < count; ++i) call(context, i, 0);
+    return;
+  }
+  make_arena(num_threads).execute([&] {
+    const auto step = [&](std::size_t i) {
+      const int worker = tbb::this_task_arena::current_thread_index();
+      call(context, i, static_cast<std::size_t>(worker));
+    };
+    tbb::parallel_for(std::size_t{0}, count, std::size_t{1}, step, tbb::simple_partitioner());
+  });
+}
+
+}  // namespace nda::pipeline
