@@ -75,19 +75,14 @@ CutLoopEnd BranchAndCut::tighten(int depth) {
   loop.first_patterns = depth == 0 ? limits_.root_patterns : limits_.node_patterns;
   if (depth > 0) loop.most_patterns = limits_.node_patterns;
   loop.fix = depth == 0;
+  loop.proof = limits_.proof;
   loop.worthwhile = kWorthwhile;
   loop.deadline = limits_.deadline;
   const auto round = [&](const Master& master) {
     if (depth == 0) cutoff_ = offer_(master, nullptr);
     return cutoff_;
   };
-  CutLoopObserver observer{round};
-  if (limits_.proof != nullptr) {
-    observer.fixed = [&](const Master& master, double cutoff) {
-      limits_.proof->fix(master, cutoff);
-    };
-  }
-  return run_cut_loop(component_, master_, loop, observer);
+  return run_cut_loop(component_, master_, loop, round);
 }
 
 // Nodes that a limit leaves unexplored.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/random.hpp"
+#include "cutting/proof_log.hpp"
 #include "cutting/separation.hpp"
 
 // The order of the patterns and the limits are measured: docs/cuts.md.
@@ -64,7 +65,7 @@ class Separation {
 CutLoopEnd run_cut_loop(const core::Component& component,
                         Master& master,
                         const CutLoopOptions& options,
-                        const CutLoopObserver& observer) {
+                        const CutRoundObserver& observer) {
   double cutoff = options.cutoff;
   double last_lower = -kInfinity;
   int idle_rounds = 0;
@@ -75,12 +76,13 @@ CutLoopEnd run_cut_loop(const core::Component& component,
     const lp::Outcome outcome = master.solve(cutoff, options.deadline);
     if (outcome == lp::Outcome::kCutoff) return CutLoopEnd::kProven;
     if (outcome != lp::Outcome::kOptimal) return CutLoopEnd::kStopped;
-    cutoff = observer.round(master);
+    cutoff = observer(master);
     if (master.lower() >= cutoff) return CutLoopEnd::kProven;
     const double gap = cutoff - master.lower();
     const double gain = master.lower() - last_lower;
     last_lower = master.lower();
-    if (options.fix && master.fix(cutoff) && observer.fixed) observer.fixed(master, cutoff);
+    if (options.fix && master.fix(cutoff) && options.proof != nullptr)
+      options.proof->fix(master, cutoff);
     master.drop_idle(kMostIdle);
     Separator separator(component, master.arcs(), master.values());
     if (separator.integral()) return CutLoopEnd::kIntegral;

@@ -10,14 +10,11 @@
 
 namespace nda::cutting {
 
-/// What the loop asks of the layers above.
-struct CutLoopObserver {
-  /// Called after every round with the current relaxed point; returns the cutoff from now on: only
-  /// packings cheaper than it are looked for.
-  std::function<double(const Master&)> round;
-  /// Called after arcs were dropped that no packing below `cutoff` uses; may be empty.
-  std::function<void(const Master&, double cutoff)> fixed = {};
-};
+class ProofLog;
+
+/// Called after every round with the current relaxed point; returns the cutoff from now on: only
+/// packings cheaper than it are looked for.
+using CutRoundObserver = std::function<double(const Master&)>;
 
 inline constexpr std::size_t kAllPatterns = 1000;
 
@@ -29,7 +26,8 @@ struct CutLoopOptions {
   /// A round that closes less than this share of the gap calls for harder patterns or ends the
   /// loop.
   double worthwhile = 0.005;
-  bool fix = true;  ///< drop arcs for good; not below a branching
+  bool fix = true;            ///< drop arcs for good; not below a branching
+  ProofLog* proof = nullptr;  ///< where to write down what was dropped
   core::Deadline deadline;
 };
 
@@ -47,6 +45,6 @@ enum class CutLoopEnd {
 CutLoopEnd run_cut_loop(const core::Component& component,
                         Master& master,
                         const CutLoopOptions& options,
-                        const CutLoopObserver& observer);
+                        const CutRoundObserver& observer);
 
 }  // namespace nda::cutting

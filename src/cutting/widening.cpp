@@ -62,15 +62,12 @@ class Widening {
     CutLoopOptions loop;
     loop.cutoff = cutoff_;
     loop.deadline = limits_.deadline;
-    CutLoopObserver rounds;
-    rounds.round = [&](const Master& point) {
+    loop.proof = limits_.proof;
+    const auto round = [&](const Master& point) {
       raise(point.lower());
       return cutoff_ = observer_.offer(point, nullptr);
     };
-    if (limits_.proof != nullptr) {
-      rounds.fixed = [&](const Master& point, double cutoff) { limits_.proof->fix(point, cutoff); };
-    }
-    const CutLoopEnd end = run_cut_loop(component_, master_, loop, rounds);
+    const CutLoopEnd end = run_cut_loop(component_, master_, loop, round);
     if (end == CutLoopEnd::kProven) raise(cutoff_);
     if (limits_.proof != nullptr) proof_size_ = limits_.proof->size();
     return end != CutLoopEnd::kProven && end != CutLoopEnd::kStopped;
