@@ -20,6 +20,14 @@ CLI::Validator at_least(double least) {
       "");
 }
 
+CLI::Validator file_name() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        return std::string(text.empty() ? "'' given, it must name a file" : "");
+      },
+      "");
+}
+
 CLI::Validator as_option(const std::string& name) {
   return CLI::Validator(
       [name](const std::string& text) {

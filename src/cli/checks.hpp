@@ -10,6 +10,9 @@ namespace nda::cli {
 /// A number, `least` or more.  NaN is refused.
 CLI::Validator at_least(double least);
 
+/// The name of a file, not an empty string.
+CLI::Validator file_name();
+
 /// What the option of that name in core/option_table.hpp must be.
 CLI::Validator as_option(const std::string& name);
 

@@ -224,12 +224,16 @@ Action declare_solve(CLI::App& parser) {
   const auto arguments = std::make_shared<SolveArguments>();
   parser.add_option("file", arguments->file, "arc file, '-' for standard input")->required();
   add_settings(parser, arguments);
-  parser.add_option(
-      "--output,-o", arguments->output, "write the solution as JSON; '-' is the same as --json");
-  parser.add_option(
-      "--proof",
-      arguments->proof,
-      "write why the bound holds, for nda check --proof; compressed where the name ends in .gz");
+  parser
+      .add_option(
+          "--output,-o", arguments->output, "write the solution as JSON; '-' is the same as --json")
+      ->check(file_name());
+  parser
+      .add_option(
+          "--proof",
+          arguments->proof,
+          "write why the bound holds, for nda check --proof; compressed where the name ends in .gz")
+      ->check(file_name());
   parser.add_flag("--json", arguments->json, "print the JSON alone");
   parser
       .add_option("--log-interval", arguments->log_interval_s, "seconds between lines of the log")

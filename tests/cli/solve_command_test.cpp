@@ -136,6 +136,8 @@ TEST(SolveCommand, NamesWhatIsWrongInOneShortLine) {
       {"a.nda --preset magic", "nda: preset 'magic' is not known"},
       {"a.nda -o none/a.json", "nda: none/a.json: cannot write: there is no folder none\n"},
       {"a.nda -o .", "nda: .: cannot write: Is a directory\n"},
+      {"a.nda -o ''", "nda: --output: '' given, it must name a file ("},
+      {"a.nda --proof ''", "nda: --proof: '' given, it must name a file ("},
       {"a.nda -o ./a.nda", "nda: ./a.nda: cannot write: it is the problem itself\n"},
   };
   for (const auto& wrong : kCases) {
