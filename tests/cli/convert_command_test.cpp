@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/program.hpp"
+#include "support/build_kind.hpp"
 
 namespace nda::cli {
 namespace {
@@ -89,7 +90,7 @@ TEST(ConvertCommand, NamesWhatIsWrongInOneLine) {
 
 // A claim the file can back only with more memory than there is must end in a sentence.
 TEST(ConvertCommand, SurvivesALackOfMemory) {
-  if (!kCanLimitMemory) GTEST_SKIP() << "sanitizers need all addresses";
+  if (support::kIsSanitized) GTEST_SKIP() << "sanitizers need all addresses";
   const TemporaryFolder folder;
   write_file(folder / "a.nda", "p nda 2 16000000 0 0\n");
   const Outcome outcome = run(folder, "ulimit -v 80000; nda convert a.nda b.nda");
@@ -101,7 +102,7 @@ TEST(ConvertCommand, SurvivesALackOfMemory) {
 // Whatever a small file claims, it gets a sentence within 100 MB of address space, not "out of
 // memory".
 TEST(ConvertCommand, RefusesLargeClaimsWithoutAllocatingForThem) {
-  if (!kCanLimitMemory) GTEST_SKIP() << "sanitizers need all addresses";
+  if (support::kIsSanitized) GTEST_SKIP() << "sanitizers need all addresses";
   const TemporaryFolder folder;
   write_file(folder / "arcs.nda", "p nda 2 1 1 4000000000\na 1 1 1\n");
   write_file(folder / "sizes.nda", "p nda 3 4000000000 4000000000 4000000000 1\na 1 1 1 1\n");

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "cli/program.hpp"
+#include "support/build_kind.hpp"
 
 namespace nda::cli {
 namespace {
@@ -94,7 +95,7 @@ TEST(GenerateCommand, RefusesWhatIsWrongInOneLine) {
   };
   for (const auto& wrong : kCases) {
     SCOPED_TRACE(wrong.arguments);
-    const std::string limit = kCanLimitMemory ? "ulimit -v 200000; " : "";
+    const std::string limit = support::kIsSanitized ? "" : "ulimit -v 200000; ";
     const Outcome outcome = run({}, limit + "nda generate " + wrong.arguments);
     EXPECT_EQ(outcome.code, 2);
     EXPECT_EQ(outcome.output, "");

@@ -9,16 +9,6 @@
 
 namespace nda::cli {
 
-/// Sanitizers reserve terabytes of addresses: nothing can be limited under them.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-inline constexpr bool kCanLimitMemory = false;
-#elif defined(__has_feature)
-inline constexpr bool kCanLimitMemory =
-    !__has_feature(address_sanitizer) && !__has_feature(thread_sanitizer);
-#else
-inline constexpr bool kCanLimitMemory = true;
-#endif
-
 /// What a run of the program left behind.
 struct Outcome {
   int code = 0;  ///< exit code, or -1 when a signal ended it

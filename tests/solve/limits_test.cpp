@@ -259,7 +259,9 @@ TEST(ProgressCallback, SeesNoCostOfAnInfeasibleProblem) {
       return true;
     };
     solve(tiny.problem, options);
-    if (!tiny.optimum) EXPECT_EQ(least, kInfinity);
+    if (!tiny.optimum) {
+      EXPECT_EQ(least, kInfinity);
+    }
   }
 }
 

@@ -10,6 +10,7 @@
 #include "nda/solve.hpp"
 #include "solve/medium_problems.hpp"
 #include "support/brute_force.hpp"
+#include "support/build_kind.hpp"
 #include "support/random_problems.hpp"
 
 namespace nda {
@@ -130,6 +131,7 @@ TEST(Stopping, IsAsQuickAsALimit) {
     SCOPED_TRACE(num_dimensions);
     const Problem problem = large_problem(num_dimensions);
     const double allowed =
+        support::kSlowdown *
         std::max(0.005, 1e-7 * static_cast<double>(problem.num_arcs() + problem.num_indices()));
     for (const bool by_token : {false, true}) {
       SCOPED_TRACE(by_token);
