@@ -74,7 +74,7 @@ CutLoopEnd BranchAndCut::tighten(int depth) {
   loop.max_rounds = depth == 0 ? limits_.root_rounds : limits_.node_rounds;
   loop.first_patterns = depth == 0 ? limits_.root_patterns : limits_.node_patterns;
   if (depth > 0) loop.most_patterns = limits_.node_patterns;
-  loop.fix = depth == 0;
+  loop.fix = loop.thorough = depth == 0;
   loop.proof = limits_.proof;
   loop.worthwhile = kWorthwhile;
   loop.deadline = limits_.deadline;

@@ -11,7 +11,8 @@
 namespace nda::cutting {
 namespace {
 
-constexpr double kLeastViolation = 0.02;
+constexpr SeparationEffort kQuick = {0.02, 1, 3};
+constexpr SeparationEffort kThorough = {0.005, 4, 6};
 constexpr std::size_t kLeastCuts = 400;
 constexpr int kMostIdle = 3;
 constexpr int kLongestPause = 7;
@@ -34,13 +35,14 @@ class Separation {
       : deadline_(deadline), pauses_(patterns().size()) {}
 
   // All violated cuts that are found by the first `count` patterns and by three rows.
-  std::vector<ViolatedCut> operator()(Separator& separator, std::size_t count) {
-    std::vector<ViolatedCut> found = separator.three_rows(kLeastViolation);
+  std::vector<ViolatedCut> operator()(Separator& separator,
+                                      std::size_t count,
+                                      const SeparationEffort& effort) {
+    std::vector<ViolatedCut> found = separator.three_rows(effort.least_violation);
     for (std::size_t p = 0; p < count; ++p) {
       Pause& pause = pauses_[p];
       if (pause.left > 0 && --pause.left >= 0) continue;
-      std::vector<ViolatedCut> more =
-          separator.search(patterns()[p], kLeastViolation, random_, deadline_);
+      std::vector<ViolatedCut> more = separator.search(patterns()[p], effort, random_, deadline_);
       pause.length = more.empty() ? std::min(2 * pause.length + 1, kLongestPause) : 0;
       pause.left = pause.length;
       keep_best(more, kLeastCuts);
@@ -48,6 +50,9 @@ class Separation {
     }
     return found;
   }
+
+  // Ends all pauses.
+  void wake() { pauses_.assign(pauses_.size(), {}); }
 
  private:
   struct Pause {
@@ -69,6 +74,7 @@ CutLoopEnd run_cut_loop(const core::Component& component,
   double cutoff = options.cutoff;
   double last_lower = -kInfinity;
   int idle_rounds = 0;
+  bool thorough = false;
   Separation separate(options.deadline);
   const std::size_t last = std::min(options.most_patterns, patterns().size());
   std::size_t stage = std::min(options.first_patterns, last);
@@ -87,14 +93,19 @@ CutLoopEnd run_cut_loop(const core::Component& component,
     Separator separator(component, master.arcs(), master.values());
     if (separator.integral()) return CutLoopEnd::kIntegral;
     if (gain < options.worthwhile * gap) {
-      if (stage == last && ++idle_rounds > kPatience) return CutLoopEnd::kStalled;
+      if (stage == last && ++idle_rounds > (thorough ? 0 : kPatience)) {
+        if (thorough || !options.thorough) return CutLoopEnd::kStalled;
+        thorough = true;
+        separate.wake();
+        idle_rounds = 0;
+      }
       stage = std::min(last, stage == 0 ? 1 : stage + 3);
     } else {
       idle_rounds = 0;
     }
-    std::vector<ViolatedCut> cuts = separate(separator, stage);
+    std::vector<ViolatedCut> cuts = separate(separator, stage, thorough ? kThorough : kQuick);
     keep_best(cuts, std::max(kLeastCuts, component.num_indices() / 5));
-    if (cuts.empty() && stage == last) return CutLoopEnd::kStalled;
+    if (cuts.empty() && stage == last && thorough == options.thorough) return CutLoopEnd::kStalled;
     for (const ViolatedCut& violated : cuts) master.add(violated.cut);
   }
   return CutLoopEnd::kStalled;

@@ -23,6 +23,7 @@ struct CutLoopOptions {
   int max_rounds = 200;
   std::size_t first_patterns = 0;  ///< of patterns(), beside the cuts over three rows, at first
   std::size_t most_patterns = kAllPatterns;  ///< and when the gain has fallen off
+  bool thorough = false;                     ///< look harder for cuts before giving up
   /// A round that closes less than this share of the gap calls for harder patterns or ends the
   /// loop.
   double worthwhile = 0.005;

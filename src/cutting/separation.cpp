@@ -22,7 +22,6 @@ constexpr double kIntegral = 1e-6;
 constexpr double kConvex = 0.02;
 constexpr double kTie = 1e-12;
 constexpr int kSweeps = 4;
-constexpr std::size_t kStarts = 3;
 constexpr std::size_t kPatience = 50;
 constexpr std::size_t kEnough = 150;
 constexpr double kNoise = 0.5;
@@ -231,7 +230,7 @@ double Separator::violation(const Pattern& pattern) {
 }
 
 std::vector<ViolatedCut> Separator::search(const Pattern& pattern,
-                                           double least,
+                                           const SeparationEffort& effort,
                                            core::Random& random,
                                            const core::Deadline& deadline) {
   std::vector<ViolatedCut> found;
@@ -242,16 +241,16 @@ std::vector<ViolatedCut> Separator::search(const Pattern& pattern,
   std::vector<std::uint32_t> seeds(num_rows());
   std::iota(seeds.begin(), seeds.end(), 0u);
   for (std::size_t k = seeds.size(); k > 1; --k) std::swap(seeds[k - 1], seeds[random_.below(k)]);
-  const std::size_t patience = kPatience + seeds.size() / 8;
+  const std::size_t patience = (kPatience + seeds.size() / 8) * effort.patience;
   const std::size_t enough = kEnough + seeds.size() / 4;
   std::size_t fruitless = 0;
-  for (std::size_t k = 0; k < kStarts * seeds.size(); ++k) {
+  for (std::size_t k = 0; k < effort.starts * seeds.size(); ++k) {
     if (++fruitless > patience || found.size() >= enough) break;
     if (k % 64 == 0 && deadline.reached()) break;
     if (climb(pattern, seeds[k % seeds.size()], k < seeds.size() ? 0.0 : kNoise)) {
       const double violated = violation(pattern);
       ViolatedCut candidate = {cut_of(chosen_, pattern), violated};
-      if (violated > least && seen.insert(hash_of(candidate.cut)).second) {
+      if (violated > effort.least_violation && seen.insert(hash_of(candidate.cut)).second) {
         found.push_back(std::move(candidate));
         fruitless = 0;
       }

@@ -26,6 +26,13 @@ struct Pattern {
 /// The patterns that closed most of the gap on tracking problems, in the order of their use.
 std::span<const Pattern> patterns();
 
+/// How hard to look for cuts.
+struct SeparationEffort {
+  double least_violation;
+  std::size_t patience;  ///< fruitless starts that end the search of a pattern, as a multiple
+  std::size_t starts;    ///< from every row
+};
+
 /// Separates fractional points of one component: which cuts do they violate?  Sees only the arcs
 /// 0 < x < 1; the others can violate nothing.
 class Separator {
@@ -43,10 +50,10 @@ class Separator {
   /// of rows that share fractional arcs.
   std::vector<ViolatedCut> three_rows(double least) const;
 
-  /// Cuts of a pattern violated by more than `least`: from every row a local search over which row
-  /// takes which weight.  Heuristic.  Stops at the deadline.
+  /// Violated cuts of a pattern: from every row a local search over which row takes which weight.
+  /// Heuristic.  Stops at the deadline.
   std::vector<ViolatedCut> search(const Pattern& pattern,
-                                  double least,
+                                  const SeparationEffort& effort,
                                   core::Random& random,
                                   const core::Deadline& deadline);
 

@@ -61,6 +61,7 @@ class Widening {
     ++result_.nodes;
     CutLoopOptions loop;
     loop.cutoff = cutoff_;
+    loop.thorough = true;
     loop.deadline = limits_.deadline;
     loop.proof = limits_.proof;
     const auto round = [&](const Master& point) {
