@@ -10,6 +10,11 @@
 
 namespace nda {
 
+/// How far branchings may stand one below the other, and how many indices a part may have that is
+/// searched: checking either takes stack.
+inline constexpr int kMostProofBranchings = 1500;
+inline constexpr std::size_t kMostProofSearchIndices = 2000;
+
 /// A real index: dimension from 0, index from 1.
 struct ProofIndex {
   int dimension = 0;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "cli/checks.hpp"
 #include "cli/commands.hpp"
 #include "nda/check.hpp"
 #include "nda/io.hpp"
@@ -57,7 +58,8 @@ Action declare_check(CLI::App& parser) {
   const auto arguments = std::make_shared<CheckArguments>();
   parser.add_option("file", arguments->problem, "problem, '-' for standard input")->required();
   parser.add_option("solution", arguments->solution, "solution (JSON) to be checked")->required();
-  parser.add_option("--proof", arguments->proof, "the proof that solve --proof wrote");
+  parser.add_option("--proof", arguments->proof, "the proof that solve --proof wrote")
+      ->check(file_name());
   parser.footer(
       "Recomputes everything with code of its own: is the solution feasible, is its cost right, "
       "do\n"

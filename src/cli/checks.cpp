@@ -42,6 +42,15 @@ CLI::Validator as_option(const std::string& name) {
       "");
 }
 
+void require_two_files(const std::string& first, const std::string& second) {
+  // Neither need exist yet.
+  const auto place = [](const std::string& name) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(name));
+  };
+  if (!first.empty() && !second.empty() && place(first) == place(second))
+    throw InputError(second + ": cannot write: the other output is the same file");
+}
+
 void require_other_file(const std::string& output, const std::string& input) {
   std::error_code not_there;
   if (std::filesystem::equivalent(output, input, not_there)) {

@@ -16,6 +16,9 @@ CLI::Validator file_name();
 /// What the option of that name in core/option_table.hpp must be.
 CLI::Validator as_option(const std::string& name);
 
+/// Throws InputError where two outputs are one file.
+void require_two_files(const std::string& first, const std::string& second);
+
 /// Throws InputError where writing `output` would replace `input`.
 void require_other_file(const std::string& output, const std::string& input);
 

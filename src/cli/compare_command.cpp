@@ -170,7 +170,8 @@ Action declare_compare(CLI::App& parser) {
   parser.add_option("--time-limit", arguments->time_limit_s, "seconds per method and file")
       ->check(as_option("time_limit_s"))
       ->capture_default_str();
-  parser.add_option("--csv", arguments->csv, "write all figures to this file as well");
+  parser.add_option("--csv", arguments->csv, "write all figures to this file as well")
+      ->check(file_name());
   parser.footer(footer());
   return [arguments] { return compare_files(*arguments); };
 }

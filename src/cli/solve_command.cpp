@@ -140,6 +140,7 @@ int solve_file(const SolveArguments& arguments) {
   Options options = make_options(arguments);
   require_good_output(arguments.output, arguments.file);
   require_good_output(arguments.proof, arguments.file);
+  require_two_files(arguments.output, arguments.proof);
   if (arguments.proof == "-") throw InputError("--proof needs the name of a file, found '-'");
   const bool json = arguments.json || arguments.output == "-";
   const auto begin = std::chrono::steady_clock::now();
@@ -158,11 +159,12 @@ int solve_file(const SolveArguments& arguments) {
     write_solution(solution, arguments.output);
   }
   if (solution.proof && !arguments.proof.empty()) write_proof(*solution.proof, arguments.proof);
+  if (!solution.proof && !arguments.proof.empty())
+    std::cerr << "nda: " << arguments.proof << ": not written, there is no proof\n";
   if (json) {
     std::cout << solution_to_json(solution);
   } else {
     print_summary(solution);
-    if (!solution.proof && !arguments.proof.empty()) print("proof         none, not written\n");
     if (arguments.verbose) print_components(solution);
   }
   return exit_code(solution);

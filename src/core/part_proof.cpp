@@ -15,9 +15,7 @@ namespace nda::core {
 namespace {
 
 constexpr std::uint32_t kNowhere = std::numeric_limits<std::uint32_t>::max();
-constexpr double kMostSearchWork = 2e9;       // arcs that all searches of a part may look at
-constexpr int kMostBranchings = 1500;         // one below the other: the stack has an end
-constexpr std::size_t kMostSearched = 10000;  // indices, for the same reason
+constexpr double kMostSearchWork = 2e9;  // arcs that all searches of a part may look at
 // Sums of so few terms in double-double err by less than this share of their absolute values.
 constexpr double kShare = 0x1p-90;
 
@@ -198,7 +196,7 @@ class PartProof {
     if (step.first >= singletons_.size() || step.second >= singletons_.size() ||
         step.first == step.second)
       fault("branching on indices that are no pair");
-    if (++depth_ > kMostBranchings) fault("the tree is too deep");
+    if (++depth_ > kMostProofBranchings) fault("the tree is too deep");
     double least = kInfinity;
     const bool together_first = step.rule == ProofRule::kTogether;
     for (const bool together : {together_first, !together_first}) {
@@ -234,7 +232,7 @@ class PartProof {
   double search(const ProofStep& step) {
     if (!step.point.cuts.empty()) fault("a search takes no cuts");
     if (!std::isfinite(step.threshold)) fault("a search without a finite threshold");
-    if (singletons_.size() > kMostSearched) fault("a search over too many indices");
+    if (singletons_.size() > kMostProofSearchIndices) fault("a search over too many indices");
     const double value = price(step.point);
     alone_.assign(singletons_.size(), kInfinity);
     for (std::uint32_t p = 0; p < singletons_.size(); ++p) {

@@ -18,7 +18,7 @@ constexpr int kMostIdle = 3;
 constexpr int kLongestPause = 7;
 constexpr int kPatience = 2;
 
-// The most violated cuts, few of them over the same row.
+// The most violated cuts.
 void keep_best(std::vector<ViolatedCut>& cuts, std::size_t most) {
   const auto order = [](const ViolatedCut& a, const ViolatedCut& b) {
     if (a.violation != b.violation) return a.violation > b.violation;
@@ -78,6 +78,12 @@ CutLoopEnd run_cut_loop(const core::Component& component,
   Separation separate(options.deadline);
   const std::size_t last = std::min(options.most_patterns, patterns().size());
   std::size_t stage = std::min(options.first_patterns, last);
+  const auto look_harder = [&] {
+    if (thorough || !options.thorough) return false;
+    separate.wake();
+    idle_rounds = 0;
+    return thorough = true;
+  };
   for (int round = 0; round < options.max_rounds; ++round) {
     const lp::Outcome outcome = master.solve(cutoff, options.deadline);
     if (outcome == lp::Outcome::kCutoff) return CutLoopEnd::kProven;
@@ -94,18 +100,18 @@ CutLoopEnd run_cut_loop(const core::Component& component,
     if (separator.integral()) return CutLoopEnd::kIntegral;
     if (gain < options.worthwhile * gap) {
       if (stage == last && ++idle_rounds > (thorough ? 0 : kPatience)) {
-        if (thorough || !options.thorough) return CutLoopEnd::kStalled;
-        thorough = true;
-        separate.wake();
-        idle_rounds = 0;
+        if (!look_harder()) return CutLoopEnd::kStalled;
       }
       stage = std::min(last, stage == 0 ? 1 : stage + 3);
     } else {
       idle_rounds = 0;
     }
     std::vector<ViolatedCut> cuts = separate(separator, stage, thorough ? kThorough : kQuick);
+    if (cuts.empty() && stage == last) {
+      if (!look_harder()) return CutLoopEnd::kStalled;
+      cuts = separate(separator, stage, kThorough);
+    }
     keep_best(cuts, std::max(kLeastCuts, component.num_indices() / 5));
-    if (cuts.empty() && stage == last && thorough == options.thorough) return CutLoopEnd::kStalled;
     for (const ViolatedCut& violated : cuts) master.add(violated.cut);
   }
   return CutLoopEnd::kStalled;

@@ -1,7 +1,10 @@
 #include "solve/parallel.hpp"
 
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+
+#include <algorithm>
 
 // The one file that knows oneTBB, compiled without the thread sanitizer (see src/CMakeLists.txt):
 // the library itself is not instrumented, so that the half of it that stands in its headers would
@@ -10,13 +13,17 @@
 namespace nda::pipeline {
 namespace {
 
+// More threads than cores would gain nothing, and oneTBB would say so on standard error.
 tbb::task_arena make_arena(int num_threads) {
-  return tbb::task_arena(num_threads == 0 ? tbb::task_arena::automatic : num_threads);
+  const int most = tbb::info::default_concurrency();
+  return tbb::task_arena(num_threads == 0 ? most : std::min(num_threads, most));
 }
 
 }  // namespace
 
-int num_workers(int num_threads) { return make_arena(num_threads).max_concurrency(); }
+int num_workers(int num_threads) {
+  return make_arena(num_threads).max_concurrency();
+}
 
 void for_all(std::size_t count,
              int num_threads,

@@ -5,13 +5,13 @@
 
 namespace nda::pipeline {
 
-/// Threads that Options::num_threads stands for; 0: as many as the machine has.
+/// Threads that Options::num_threads stands for: never more than the machine has cores; 0: as many.
 int num_workers(int num_threads);
 
-/// Calls call(context, i, worker) for every i < count on up to num_workers(num_threads) threads, the
-/// numbers handed out one by one; worker < num_workers(num_threads) names the thread.  Returns when
-/// all calls have.  The first exception that a call throws is thrown on, and the calls that have not
-/// begun by then are left out.
+/// Calls call(context, i, worker) for every i < count on up to num_workers(num_threads) threads,
+/// the numbers handed out one by one; worker < num_workers(num_threads) names the thread.  Returns
+/// when all calls have.  The first exception that a call throws is thrown on, and the calls that
+/// have not begun by then are left out.
 void for_all(std::size_t count,
              int num_threads,
              void* context,
@@ -20,8 +20,8 @@ void for_all(std::size_t count,
 /// The same with any work(i, worker).
 ///
 /// Its two atomics say over again what for_all promises: each call sees what was written before
-/// for_all, and what a call wrote is seen after it.  The thread sanitizer needs that told, since it
-/// cannot look into Debian's oneTBB.
+/// for_all, and what a call that does not throw wrote is seen after it.  The thread sanitizer needs
+/// that told, since it cannot look into Debian's oneTBB.
 template <typename Work>
 void for_all(std::size_t count, int num_threads, Work&& work) {
   struct Job {

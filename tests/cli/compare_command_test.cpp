@@ -141,6 +141,7 @@ TEST(CompareCommand, NamesWhatIsWrongInOneLine) {
       {"a.nda --methods magic", "nda: method 'magic' is not known; there are default,"},
       {"a.nda --methods greedy --csv /no/such/t.csv", "nda: /no/such/t.csv: cannot be written"},
       {"a.nda --csv ./a.nda", "nda: ./a.nda: cannot write: it is the problem itself"},
+      {"a.nda --csv ''", "nda: --csv: '' given, it must name a file ("},
       {"a.nda --time-limit 0", "nda: --time-limit"},
       {"a.nda --time-limit nan", "nda: --time-limit: option time_limit_s is 'nan'"},
   };

@@ -154,15 +154,23 @@ TEST(CheckProof, RefusesTreesTooDeepForTheStack) {
   EXPECT_THAT(report(frame(std::move(steps))).fault, HasSubstr("too deep"));
 }
 
-TEST(CheckProof, RefusesSearchesTooDeepForTheStack) {
-  ProblemBuilder builder({200000, 1});
-  builder.add_arc({1, 1}, -1);
+// One arc that does not pay among so many indices, and a proof that searches them all.
+ProofReport search_among(Index count) {
+  ProblemBuilder builder({count - 1, 1});
+  builder.add_arc({1, 1}, 1);
   Proof proof;
-  proof.sizes = {200000, 1};
+  proof.sizes = {count - 1, 1};
   proof.num_arcs = 1;
-  proof.parts.push_back({{{1, 1}}, {{ProofRule::kSearch, {}, 0, 0, 0}}});
-  for (Index i = 1; i <= 200000; ++i) proof.parts[0].indices.push_back({0, i});
-  EXPECT_THAT(check_proof(std::move(builder).build(), proof).fault, HasSubstr("too many indices"));
+  proof.parts.push_back({{{1, 1}}, {{ProofRule::kSearch, {}, 0.5, 0, 0}}});
+  for (Index i = 1; i < count; ++i) proof.parts[0].indices.push_back({0, i});
+  return check_proof(std::move(builder).build(), proof);
+}
+
+TEST(CheckProof, SearchesNoDeeperThanTheStackAllows) {
+  const ProofReport deepest = search_among(kMostProofSearchIndices);
+  EXPECT_EQ(deepest.fault, "");
+  EXPECT_NEAR(deepest.lower_bound, 0, 1e-20);
+  EXPECT_THAT(search_among(kMostProofSearchIndices + 1).fault, HasSubstr("too many indices"));
 }
 
 // Any tree at all, with any numbers.
