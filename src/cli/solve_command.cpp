@@ -158,9 +158,12 @@ int solve_file(const SolveArguments& arguments) {
   if (!arguments.output.empty() && arguments.output != "-") {
     write_solution(solution, arguments.output);
   }
-  if (solution.proof && !arguments.proof.empty()) write_proof(*solution.proof, arguments.proof);
-  if (!solution.proof && !arguments.proof.empty())
-    std::cerr << "nda: " << arguments.proof << ": not written, there is no proof\n";
+  if (!arguments.proof.empty()) {
+    if (solution.proof)
+      write_proof(*solution.proof, arguments.proof);
+    else
+      std::cerr << "nda: " << arguments.proof << ": not written, there is no proof\n";
+  }
   if (json) {
     std::cout << solution_to_json(solution);
   } else {

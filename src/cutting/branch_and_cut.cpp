@@ -42,6 +42,7 @@ BranchAndCutResult BranchAndCut::run() {
 
 // Lower bound of the subtree: at least the cutoff when nothing cheaper is left in it.
 double BranchAndCut::explore(int depth, double inherited) {
+  // No checker would follow a deeper tree.
   if (stopped() || depth > kMostProofBranchings) return leave(inherited);
   ++nodes_;
   const CutLoopEnd end = tighten(depth);

@@ -99,9 +99,8 @@ CutLoopEnd run_cut_loop(const core::Component& component,
     Separator separator(component, master.arcs(), master.values());
     if (separator.integral()) return CutLoopEnd::kIntegral;
     if (gain < options.worthwhile * gap) {
-      if (stage == last && ++idle_rounds > (thorough ? 0 : kPatience)) {
-        if (!look_harder()) return CutLoopEnd::kStalled;
-      }
+      const bool stalled = stage == last && ++idle_rounds > (thorough ? 0 : kPatience);
+      if (stalled && !look_harder()) return CutLoopEnd::kStalled;
       stage = std::min(last, stage == 0 ? 1 : stage + 3);
     } else {
       idle_rounds = 0;

@@ -4,25 +4,18 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include <algorithm>
-
-// The one file that knows oneTBB, compiled without the thread sanitizer (see src/CMakeLists.txt):
+// The one file that knows oneTBB, compiled without the thread sanitizer (see CMakeLists.txt here):
 // the library itself is not instrumented, so that the half of it that stands in its headers would
 // seem to race with the other half.  Hence it takes a plain function and shares no other code.
 
 namespace nda::pipeline {
-namespace {
 
-// More threads than cores would gain nothing, and oneTBB would say so on standard error.
-tbb::task_arena make_arena(int num_threads) {
-  const int most = tbb::info::default_concurrency();
-  return tbb::task_arena(num_threads == 0 ? most : std::min(num_threads, most));
-}
-
-}  // namespace
-
+// One thread, the default, must not cost the start of oneTBB.  More threads than cores would gain
+// nothing, and oneTBB would say so on standard error.
 int num_workers(int num_threads) {
-  return make_arena(num_threads).max_concurrency();
+  if (num_threads == 1) return 1;
+  const int most = tbb::info::default_concurrency();
+  return num_threads == 0 || num_threads > most ? most : num_threads;
 }
 
 void for_all(std::size_t count,
@@ -33,7 +26,7 @@ void for_all(std::size_t count,
     for (std::size_t i = 0; i < count; ++i) call(context, i, 0);
     return;
   }
-  make_arena(num_threads).execute([&] {
+  tbb::task_arena(num_workers(num_threads)).execute([&] {
     const auto step = [&](std::size_t i) {
       const int worker = tbb::this_task_arena::current_thread_index();
       call(context, i, static_cast<std::size_t>(worker));

@@ -32,7 +32,7 @@ void for_all(std::size_t count, int num_threads, Work&& work) {
   job.begun.store(true, std::memory_order_release);
   for_all(count, num_threads, &job, [](void* context, std::size_t i, std::size_t worker) {
     Job& mine = *static_cast<Job*>(context);
-    if (!mine.begun.load(std::memory_order_acquire)) return;
+    mine.begun.load(std::memory_order_acquire);
     mine.work(i, worker);
     mine.ended.fetch_add(1, std::memory_order_release);
   });
