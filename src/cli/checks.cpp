@@ -47,7 +47,12 @@ void require_two_files(const std::string& first, const std::string& second) {
   const auto place = [](const std::string& name) {
     return std::filesystem::weakly_canonical(std::filesystem::absolute(name));
   };
-  if (!first.empty() && !second.empty() && place(first) == place(second))
+  if (first.empty() || second.empty()) return;
+  std::error_code not_there;
+  if (std::filesystem::exists(second, not_there) &&
+      !std::filesystem::is_regular_file(second, not_there))
+    return;
+  if (place(first) == place(second))
     throw InputError(second + ": cannot write: the other output is the same file");
 }
 

@@ -16,7 +16,7 @@ CLI::Validator file_name();
 /// What the option of that name in core/option_table.hpp must be.
 CLI::Validator as_option(const std::string& name);
 
-/// Throws InputError where two outputs are one file.
+/// Throws InputError where two outputs are one file; devices (/dev/null) may be written twice.
 void require_two_files(const std::string& first, const std::string& second);
 
 /// Throws InputError where writing `output` would replace `input`.

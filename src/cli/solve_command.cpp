@@ -140,8 +140,8 @@ int solve_file(const SolveArguments& arguments) {
   Options options = make_options(arguments);
   require_good_output(arguments.output, arguments.file);
   require_good_output(arguments.proof, arguments.file);
-  require_two_files(arguments.output, arguments.proof);
   if (arguments.proof == "-") throw InputError("--proof needs the name of a file, found '-'");
+  require_two_files(arguments.output, arguments.proof);
   const bool json = arguments.json || arguments.output == "-";
   const auto begin = std::chrono::steady_clock::now();
   const Problem problem = read_problem(arguments.file);

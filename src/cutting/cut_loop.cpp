@@ -38,7 +38,7 @@ class Separation {
   std::vector<ViolatedCut> operator()(Separator& separator,
                                       std::size_t count,
                                       const SeparationEffort& effort) {
-    std::vector<ViolatedCut> found = separator.three_rows(effort.least_violation);
+    std::vector<ViolatedCut> found = separator.three_rows(effort.least_violation, deadline_);
     for (std::size_t p = 0; p < count; ++p) {
       Pause& pause = pauses_[p];
       if (pause.left > 0 && --pause.left >= 0) continue;

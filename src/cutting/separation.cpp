@@ -114,12 +114,12 @@ double Separator::all_three(std::uint32_t r, std::uint32_t s, std::uint32_t t) c
   return sum;
 }
 
-std::vector<ViolatedCut> Separator::three_rows(double least) const {
+std::vector<ViolatedCut> Separator::three_rows(double least, const core::Deadline& deadline) const {
   const std::vector<std::vector<Neighbour>> later = later_neighbours();
   const Pattern pattern = {{1, 1, 1}, 2};
   std::vector<ViolatedCut> found;
   std::vector<double> to_r(num_rows(), 0.0);
-  for (std::uint32_t r = 0; r < num_rows(); ++r) {
+  for (std::uint32_t r = 0; r < num_rows() && !deadline.reached(); ++r) {
     for (const Neighbour& s : later[r]) to_r[s.row] = s.weight;
     for (const Neighbour& s : later[r]) {
       for (const Neighbour& t : later[s.row]) {

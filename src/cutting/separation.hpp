@@ -47,8 +47,8 @@ class Separator {
   std::size_t num_rows() const { return slot_of_row_.size(); }
 
   /// All cuts over three indices violated by more than `least`, found by enumerating the triangles
-  /// of rows that share fractional arcs.
-  std::vector<ViolatedCut> three_rows(double least) const;
+  /// of rows that share fractional arcs.  Stops at the deadline.
+  std::vector<ViolatedCut> three_rows(double least, const core::Deadline& deadline) const;
 
   /// Violated cuts of a pattern: from every row a local search over which row takes which weight.
   /// Heuristic.  Stops at the deadline.

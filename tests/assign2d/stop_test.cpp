@@ -46,7 +46,9 @@ TEST(SetStop, GivesUpAndLeavesTheSolverAndTheResultUsable) {
       ASSERT_EQ(result.column_of_row.size(), Market::kSize);
       for (std::uint32_t i = 0; i < Market::kSize; ++i) {
         const std::int32_t j = result.column_of_row[i];
-        if (j != kUnassigned) EXPECT_EQ(result.row_of_column[j], static_cast<std::int32_t>(i));
+        if (j != kUnassigned) {
+          EXPECT_EQ(result.row_of_column[j], static_cast<std::int32_t>(i));
+        }
       }
       solver->set_stop(nullptr);
       solver->solve_warm(market.view(), result);

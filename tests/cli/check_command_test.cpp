@@ -85,6 +85,7 @@ TEST(CheckCommand, FollowsAProof) {
   const Outcome solved = run(folder, "nda solve a.nda -q -o a.json --proof a.proof");
   EXPECT_EQ(solved.code, 0) << solved.log;
   EXPECT_EQ(run(folder, "nda solve a.nda -q --proof -").code, 2) << "the summary is there already";
+  EXPECT_EQ(run(folder, "nda solve a.nda -q -o /dev/null --proof /dev/null").code, 0);
   const Outcome right = run(folder, "nda check a.nda a.json --proof a.proof");
   EXPECT_EQ(right.code, 0) << right.output;
   EXPECT_THAT(right.output, HasSubstr("bound right         yes\n"));

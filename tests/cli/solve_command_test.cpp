@@ -139,6 +139,7 @@ TEST(SolveCommand, NamesWhatIsWrongInOneShortLine) {
       {"a.nda -o ''", "nda: --output: '' given, it must name a file ("},
       {"a.nda --proof ''", "nda: --proof: '' given, it must name a file ("},
       {"a.nda -o b --proof ./b", "nda: ./b: cannot write: the other output is the same file\n"},
+      {"a.nda -o - --proof -", "nda: --proof needs the name of a file, found '-'\n"},
       {"a.nda -o ./a.nda", "nda: ./a.nda: cannot write: it is the problem itself\n"},
   };
   for (const auto& wrong : kCases) {

@@ -45,7 +45,7 @@ TEST(Separator, FindsTheCliqueOfTheTriangle) {
   const std::vector<ArcId> arcs = all_arcs(component);
   const std::vector<double> halves(3, 0.5);
   Separator separator(component, arcs, halves);
-  const std::vector<ViolatedCut> cuts = separator.three_rows(0.01);
+  const std::vector<ViolatedCut> cuts = separator.three_rows(0.01, {});
   ASSERT_EQ(cuts.size(), 1u);
   EXPECT_NEAR(cuts[0].violation, 0.5, 1e-12);
   EXPECT_THAT(cuts[0].cut.slots, testing::ElementsAre(1, 3, 5));
@@ -65,7 +65,7 @@ TEST(Separator, StatesViolationsAsTheyAre) {
     const Component component = fractional_component(seed);
     const Point point = relaxed_optimum(component);
     Separator separator(component, point.arcs, point.x);
-    std::vector<ViolatedCut> cuts = separator.three_rows(0.01);
+    std::vector<ViolatedCut> cuts = separator.three_rows(0.01, {});
     for (const Pattern& pattern : patterns()) {
       const auto more = separator.search(pattern, {0.01, 1, 3}, random, kNever);
       cuts.insert(cuts.end(), more.begin(), more.end());
@@ -96,7 +96,7 @@ TEST(Separator, ThreeRowsMissesNone) {
       }
     }
     std::set<std::vector<std::uint32_t>> listed;
-    for (const ViolatedCut& cut : Separator(component, point.arcs, point.x).three_rows(0.05)) {
+    for (const ViolatedCut& cut : Separator(component, point.arcs, point.x).three_rows(0.05, {})) {
       listed.insert(cut.cut.slots);
     }
     ASSERT_EQ(listed, expected) << "seed " << seed;

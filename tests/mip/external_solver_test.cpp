@@ -108,7 +108,7 @@ std::vector<std::string> names_of_kinds() {
 INSTANTIATE_TEST_SUITE_P(All,
                          RealSolver,
                          ::testing::ValuesIn(names_of_kinds()),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& kind) { return kind.param; });
 
 }  // namespace
 }  // namespace nda::mip
