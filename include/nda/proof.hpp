@@ -10,10 +10,10 @@
 
 namespace nda {
 
-/// How far branchings may stand one below the other, and how many indices a part may have that is
-/// searched: checking either takes stack.
+/// How far branchings may stand one below the other, and how deep a search may go: checking either
+/// takes stack.
 inline constexpr int kMostProofBranchings = 1500;
-inline constexpr std::size_t kMostProofSearchIndices = 2000;
+inline constexpr int kMostProofSearchDepth = 1500;
 
 /// A real index: dimension from 0, index from 1.
 struct ProofIndex {
@@ -65,7 +65,7 @@ enum class ProofRule : std::uint8_t {
 /// A step of a proof; which fields count depends on the rule.
 struct ProofStep {
   ProofRule rule = ProofRule::kBound;
-  ProofPoint point;         ///< of kBound, kFix; of kSearch without cuts
+  ProofPoint point;         ///< of kBound, kFix, kSearch
   double threshold = 0;     ///< of kFix, kSearch: a cost
   std::uint32_t first = 0;  ///< of kTogether, kApart: positions
   std::uint32_t second = 0;

@@ -18,14 +18,9 @@ struct SearchResult {
   std::int64_t nodes = 0;
 };
 
-/// Enumerates the packings of a component cheaper than `cutoff`, depth first, without any
-/// relaxation.
-///
-/// Multipliers u (by slot, u <= 0, all reduced costs r >= 0) turn the cost of a packing into
-///     sum u + sum of r over its arcs + sum of -u over its uncovered indices,
-/// a sum of non-negative terms that the search may spend up to cutoff - sum u.  It decides the
-/// index with the fewest affordable uses first.  Good multipliers make it fast; any feasible ones
-/// make it right.
+/// Enumerates the packings of a component cheaper than `cutoff`, without any relaxation: by
+/// search_slack() within what multipliers u (by slot, u <= 0, all reduced costs >= 0) leave.  Good
+/// multipliers make it fast; any feasible ones make it right.
 ///
 /// Stops after max_nodes or at the deadline with complete = false.
 /// Cost: exponential; O(N A) memory.

@@ -5,6 +5,7 @@
 
 #include "core/certificate_sum.hpp"
 #include "core/double_double.hpp"
+#include "core/proof_search.hpp"
 
 // A proof is followed step by step: which arcs and which singletons are still allowed is the state,
 // every step returns a bound on what the allowed ones can do.  Nothing in the file is believed but
@@ -227,77 +228,61 @@ class PartProof {
     return out;
   }
 
-  // Depth-first search for a choice below the threshold; the least bound of what it finds, or the
-  // threshold.
+  // The least bound of what a search finds below the threshold, or the threshold.
   double search(const ProofStep& step) {
-    if (!step.point.cuts.empty()) fault("a search takes no cuts");
     if (!std::isfinite(step.threshold)) fault("a search without a finite threshold");
-    if (singletons_.size() > kMostProofSearchIndices) fault("a search over too many indices");
     const double value = price(step.point);
-    alone_.assign(singletons_.size(), kInfinity);
+    const double budget = std::nextafter(step.threshold - value, kInfinity);
+    if (value >= step.threshold) return step.threshold;
+    try {
+      const double rise =
+          least_rise(search_task(step.point, budget), budget, work_, kMostSearchWork);
+      return std::min(step.threshold, std::nextafter(value + rise, -kInfinity));
+    } catch (const ProofFault& problem) {
+      fault(problem.text);
+    }
+  }
+
+  SearchTask search_task(const ProofPoint& point, double budget) {
+    SearchTask task;
+    task.num_indices = static_cast<std::uint32_t>(singletons_.size());
     for (std::uint32_t p = 0; p < singletons_.size(); ++p) {
-      if (may_stay_alone(p)) alone_[p] = std::max(0.0, singletons_[p] - multipliers_[p]);
+      const double rise = singletons_[p] - multipliers_[p];
+      task.rows.push_back({may_stay_alone(p) ? std::max(0.0, below(rise)) : kInfinity, 1});
     }
-    rise_.assign(arcs_.size(), kInfinity);
+    std::vector<std::uint32_t> number(arcs_.size(), kNowhere);
     for (std::uint32_t a = 0; a < arcs_.size(); ++a) {
-      if (allowed(a)) rise_[a] = std::max(0.0, with_arc(0.0, a));
+      const double rise = allowed(a) ? std::max(0.0, with_arc(0.0, a)) : kInfinity;
+      if (rise >= budget) continue;
+      number[a] = static_cast<std::uint32_t>(task.rise.size());
+      task.rise.push_back(rise);
+      task.entries.emplace_back();
+      arcs_.for_each_position(a, [&](std::uint32_t p) { task.entries.back().push_back({p, 1}); });
     }
-    decided_.assign(singletons_.size(), 0);
-    threshold_ = step.threshold;
-    explore(value);
-    return threshold_;
+    for (const ProofCut& cut : point.cuts) add_row(cut, number, task);
+    return task;
   }
 
-  // What a step up of the bound leaves of it: one rounding, against the proof.
-  static double raised(double value, double rise) {
-    return rise == 0 ? value : std::nextafter(std::nextafter(value + rise, -kInfinity), -kInfinity);
-  }
-
-  bool open(std::uint32_t a) const {
-    bool free = rise_[a] < kInfinity;
-    arcs_.for_each_position(a, [&](std::uint32_t p) { free = free && decided_[p] == 0; });
-    return free;
-  }
-
-  std::size_t num_choices(std::uint32_t position, double value) {
-    std::size_t count = raised(value, alone_[position]) < threshold_ ? 1 : 0;
-    for (const std::uint32_t a : arcs_at_[position])
-      count += open(a) && raised(value, rise_[a]) < threshold_ ? 1 : 0;
-    work_ += 1 + static_cast<double>(arcs_at_[position].size());
-    return count;
-  }
-
-  void explore(double value) {
-    if (value >= threshold_) return;
-    if (work_ > kMostSearchWork) fault("the search takes too long");
-    std::uint32_t next = kNowhere;
-    std::size_t fewest = std::numeric_limits<std::size_t>::max();
-    for (std::uint32_t p = 0; p < singletons_.size() && fewest > 0; ++p) {
-      if (decided_[p] != 0) continue;
-      const std::size_t count = num_choices(p, value);
-      if (count < fewest) {
-        fewest = count;
-        next = p;
+  void add_row(const ProofCut& cut, const std::vector<std::uint32_t>& number, SearchTask& task) {
+    const auto row = static_cast<std::uint32_t>(task.rows.size());
+    std::uint32_t total = 0;
+    for (std::size_t i = 0; i < cut.positions.size(); ++i) {
+      weight_[cut.positions[i]] = cut.weights[i];
+      total += cut.weights[i];
+    }
+    task.rows.push_back({-cut.multiplier, total / cut.divisor});
+    for (const std::uint32_t position : cut.positions) {
+      for (const std::uint32_t a : arcs_at_[position]) {
+        const int coefficient =
+            number[a] == kNowhere ? 0 : coefficient_at(a, position) / cut.divisor;
+        if (coefficient > 0)
+          task.entries[number[a]].push_back({row, static_cast<std::uint32_t>(coefficient)});
       }
     }
-    if (next == kNowhere) {
-      threshold_ = value;
-      return;
-    }
-    if (fewest > 0) try_choices(next, value);
+    for (const std::uint32_t position : cut.positions) weight_[position] = 0;
   }
 
-  void try_choices(std::uint32_t position, double value) {
-    for (const std::uint32_t a : arcs_at_[position]) {
-      if (!open(a)) continue;
-      arcs_.for_each_position(a, [&](std::uint32_t p) { ++decided_[p]; });
-      explore(raised(value, rise_[a]));
-      arcs_.for_each_position(a, [&](std::uint32_t p) { --decided_[p]; });
-    }
-    ++decided_[position];
-    explore(raised(value, alone_[position]));
-    --decided_[position];
-  }
+  static double below(double value) { return std::nextafter(value, -kInfinity); }
 
   const PartArcs& arcs_;
   const std::vector<double> singletons_;  // by position
@@ -311,11 +296,7 @@ class PartProof {
   std::vector<double> multipliers_;                  // by position
   std::vector<DoubleDouble> reduced_;                // by arc
   std::vector<double> size_;                         // by arc: of the terms of its reduced cost
-  // Of a search.
-  std::vector<double> alone_;  // by position: what staying alone adds at least
-  std::vector<double> rise_;   // by arc: what it adds at least
-  std::vector<int> decided_;   // by position
-  double threshold_ = 0;
+  // Of all searches: arcs looked at.
   double work_ = 0;
 };
 

@@ -24,7 +24,7 @@ BranchAndCut::BranchAndCut(const core::Component& component,
                            Master& master,
                            double cutoff,
                            const BranchAndCutLimits& limits,
-                           Offer offer)
+                           PackingOffer offer)
     : component_(component),
       master_(master),
       cutoff_(cutoff),
@@ -36,7 +36,8 @@ BranchAndCutResult BranchAndCut::run() {
   result.lower = explore(0, -kInfinity);
   result.complete = result.lower >= cutoff_;
   result.exhaustive = exhaustive_;
-  result.nodes = nodes_;
+  result.nodes = num_nodes();
+  result.tree_nodes = tree_nodes_;
   return result;
 }
 
@@ -44,10 +45,11 @@ BranchAndCutResult BranchAndCut::run() {
 double BranchAndCut::explore(int depth, double inherited) {
   // No checker would follow a deeper tree.
   if (stopped() || depth > kMostProofBranchings) return leave(inherited);
-  ++nodes_;
+  ++tree_nodes_;
   const CutLoopEnd end = tighten(depth);
   const double lower =
       end == CutLoopEnd::kStopped ? inherited : std::max(inherited, master_.lower());
+  if (end == CutLoopEnd::kSearched) return std::max(lower, cutoff_);
   if (lower >= cutoff_ || end == CutLoopEnd::kStopped || stopped()) return close(lower);
   if (integral()) {
     const core::Packing found = packing();
@@ -79,11 +81,27 @@ CutLoopEnd BranchAndCut::tighten(int depth) {
   loop.proof = limits_.proof;
   loop.worthwhile = kWorthwhile;
   loop.deadline = limits_.deadline;
+  const PackingOffer offer = [&](const Master& master, const core::Packing* packing) {
+    return cutoff_ = offer_(master, packing);
+  };
+  LeafSearch leaf(component_, leaf_limits(), offer);
+  loop.leaf = &leaf;
   const auto round = [&](const Master& master) {
-    if (depth == 0) cutoff_ = offer_(master, nullptr);
+    if (depth == 0) offer(master, nullptr);
     return cutoff_;
   };
-  return run_cut_loop(component_, master_, loop, round);
+  const CutLoopEnd end = run_cut_loop(component_, master_, loop, round);
+  search_nodes_ += leaf.nodes();
+  return end;
+}
+
+LeafLimits BranchAndCut::leaf_limits() const {
+  LeafLimits limits;
+  limits.max_work = limits_.leaf_work;
+  limits.max_nodes = limits_.max_nodes - num_nodes();
+  limits.deadline = limits_.deadline;
+  limits.proof = limits_.proof;
+  return limits;
 }
 
 // Nodes that a limit leaves unexplored.

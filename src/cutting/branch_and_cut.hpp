@@ -6,6 +6,7 @@
 #include "core/clock.hpp"
 #include "core/component.hpp"
 #include "cutting/cut_loop.hpp"
+#include "cutting/leaf_search.hpp"
 #include "cutting/master.hpp"
 #include "cutting/proof_log.hpp"
 
@@ -17,16 +18,18 @@ struct BranchAndCutLimits {
   std::size_t root_patterns = 0;
   std::size_t node_patterns = 4;
   int node_rounds = 3;
+  double leaf_work = LeafLimits{}.max_work;  ///< arcs that the search of a node may look at
   core::Deadline deadline;
   ProofLog* proof = nullptr;  ///< where to write down the tree; whole if the search is exhaustive
 };
 
 /// What came out of branch and cut.
 struct BranchAndCutResult {
-  double lower = -kInfinity;  ///< no packing of live arcs is cheaper than this and the cutoff
-  bool complete = false;      ///< no packing is cheaper than the last cutoff
-  bool exhaustive = true;     ///< no node was left unexplored
-  std::int64_t nodes = 0;
+  double lower = -kInfinity;    ///< no packing of live arcs is cheaper than this and the cutoff
+  bool complete = false;        ///< no packing is cheaper than the last cutoff
+  bool exhaustive = true;       ///< no node was left unexplored
+  std::int64_t nodes = 0;       ///< those of searches included
+  std::int64_t tree_nodes = 0;  ///< without them
 };
 
 /// Branch and cut over the live arcs of `master`: bounds by its linear relaxation, tightened by
@@ -36,15 +39,11 @@ struct BranchAndCutResult {
 /// Depth first, the child with the smaller bound first.  The bound holds whenever it stops.
 class BranchAndCut {
  public:
-  /// Called with every packing found (arcs of the component), or with null and a relaxed point to
-  /// make one of; returns the cutoff from now on: only packings cheaper than it are looked for.
-  using Offer = std::function<double(const Master&, const core::Packing* packing)>;
-
   BranchAndCut(const core::Component& component,
                Master& master,
                double cutoff,
                const BranchAndCutLimits& limits,
-               Offer offer);
+               PackingOffer offer);
 
   BranchAndCutResult run();
 
@@ -62,6 +61,7 @@ class BranchAndCut {
 
   double explore(int depth, double inherited);
   CutLoopEnd tighten(int depth);
+  LeafLimits leaf_limits() const;
   double close(double lower);
   bool integral() const;
   core::Packing packing() const;
@@ -72,15 +72,17 @@ class BranchAndCut {
   double explore_together(const Pair& pair, int depth, double inherited);
   double explore_apart(const Pair& pair, int depth, double inherited);
   bool uses(core::ArcId a, std::uint32_t slot) const;
-  bool stopped() const { return nodes_ >= limits_.max_nodes || limits_.deadline.reached(); }
+  bool stopped() const { return num_nodes() >= limits_.max_nodes || limits_.deadline.reached(); }
+  std::int64_t num_nodes() const { return tree_nodes_ + search_nodes_; }
   double leave(double lower);
 
   const core::Component& component_;
   Master& master_;
   double cutoff_;
   const BranchAndCutLimits& limits_;
-  Offer offer_;
-  std::int64_t nodes_ = 0;
+  PackingOffer offer_;
+  std::int64_t tree_nodes_ = 0;
+  std::int64_t search_nodes_ = 0;
   bool exhaustive_ = true;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/random.hpp"
+#include "cutting/leaf_search.hpp"
 #include "cutting/proof_log.hpp"
 #include "cutting/separation.hpp"
 
@@ -95,6 +96,7 @@ CutLoopEnd run_cut_loop(const core::Component& component,
     last_lower = master.lower();
     if (options.fix && master.fix(cutoff) && options.proof != nullptr)
       options.proof->fix(master, cutoff);
+    if (options.leaf != nullptr && (*options.leaf)(master, cutoff)) return CutLoopEnd::kSearched;
     master.drop_idle(kMostIdle);
     Separator separator(component, master.arcs(), master.values());
     if (separator.integral()) return CutLoopEnd::kIntegral;

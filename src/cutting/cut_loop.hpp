@@ -10,6 +10,7 @@
 
 namespace nda::cutting {
 
+class LeafSearch;
 class ProofLog;
 
 /// Called after every round with the current relaxed point; returns the cutoff from now on: only
@@ -27,14 +28,16 @@ struct CutLoopOptions {
   /// A round that closes less than this share of the gap calls for harder patterns or ends the
   /// loop.
   double worthwhile = 0.005;
-  bool fix = true;            ///< drop arcs for good; not below a branching
-  ProofLog* proof = nullptr;  ///< where to write down what was dropped
+  bool fix = true;             ///< drop arcs for good; not below a branching
+  ProofLog* proof = nullptr;   ///< where to write down what was dropped
+  LeafSearch* leaf = nullptr;  ///< what may end the node; may be null
   core::Deadline deadline;
 };
 
 /// How the loop ended.
 enum class CutLoopEnd {
-  kProven,    ///< no packing is cheaper than the cutoff
+  kProven,    ///< no packing is cheaper than the cutoff, by the bound
+  kSearched,  ///< the same, by enumeration
   kIntegral,  ///< the relaxed point is a packing: the best one of the live arcs
   kStalled,   ///< further cuts gain little
   kStopped,   ///< deadline, or numerical trouble

@@ -65,6 +65,7 @@ class Master {
   /// a price, so that the linear program stays feasible.
   void force(std::uint32_t slot);
   void release(std::uint32_t slot);
+  bool forced(std::uint32_t slot) const { return forced_[slot] > 0; }
 
   /// Values of lower() for which a trial of branching is enough: few dual simplex steps.
   double trial(int max_iterations, const core::Deadline& deadline);

@@ -55,8 +55,8 @@ ProofPoint ProofLog::point(std::span<const double> u) {
   return point;
 }
 
-ProofPoint ProofLog::point(const Master& master) {
-  ProofPoint point = this->point(master.u());
+ProofPoint ProofLog::point(const Master& master, std::span<const double> u) {
+  ProofPoint point = this->point(u);
   for (const CutRow& row : master.cuts()) {
     if (row.multiplier == 0) continue;
     ProofCut cut{{}, row.cut.weights, row.cut.divisor, row.multiplier};
@@ -71,7 +71,7 @@ void ProofLog::fix(std::span<const double> u, double threshold) {
 }
 
 void ProofLog::fix(const Master& master, double threshold) {
-  part_.steps.push_back({ProofRule::kFix, point(master), unshifted(threshold), 0, 0});
+  part_.steps.push_back({ProofRule::kFix, point(master, master.u()), unshifted(threshold), 0, 0});
 }
 
 void ProofLog::bound(std::span<const double> u) {
@@ -79,11 +79,15 @@ void ProofLog::bound(std::span<const double> u) {
 }
 
 void ProofLog::bound(const Master& master) {
-  part_.steps.push_back({ProofRule::kBound, point(master), 0, 0, 0});
+  part_.steps.push_back({ProofRule::kBound, point(master, master.u()), 0, 0, 0});
 }
 
 void ProofLog::search(std::span<const double> u, double threshold) {
   part_.steps.push_back({ProofRule::kSearch, point(u), unshifted(threshold), 0, 0});
+}
+
+void ProofLog::search(const Master& master, std::span<const double> u, double threshold) {
+  part_.steps.push_back({ProofRule::kSearch, point(master, u), unshifted(threshold), 0, 0});
 }
 
 void ProofLog::branch(std::uint32_t first, std::uint32_t second, bool together_first) {

@@ -27,6 +27,8 @@ class ProofLog {
   void bound(std::span<const double> u);
   void bound(const Master& master);
   void search(std::span<const double> u, double threshold);
+  /// By the cuts of `master` and other multipliers than its own.
+  void search(const Master& master, std::span<const double> u, double threshold);
   /// The two children follow, in this order.
   void branch(std::uint32_t first, std::uint32_t second, bool together_first);
 
@@ -39,7 +41,7 @@ class ProofLog {
 
  private:
   ProofPoint point(std::span<const double> u);
-  ProofPoint point(const Master& master);
+  ProofPoint point(const Master& master, std::span<const double> u);
   double unshifted(double threshold) const { return threshold + constant_ - slack_; }
 
   std::vector<double> base_;                             // by position

@@ -42,10 +42,8 @@ class Widening {
   WideningResult run() {
     if (limits_.max_nodes > 0 && tighten()) {
       double reach = kFirstReach * (cutoff_ - master_.lower());
-      for (std::int64_t before = result_.nodes; search(master_.lower() + reach);
-           before = result_.nodes) {
-        reach *= result_.nodes - before < kFewNodes ? kWidenFast : kWidenSlowly;
-      }
+      while (search(master_.lower() + reach))
+        reach *= last_tree_nodes_ < kFewNodes ? kWidenFast : kWidenSlowly;
     }
     result_.complete = result_.lower >= cutoff_;
     if (limits_.proof != nullptr && !exhaustive_) {
@@ -64,14 +62,26 @@ class Widening {
     loop.thorough = true;
     loop.deadline = limits_.deadline;
     loop.proof = limits_.proof;
+    const PackingOffer offer = [&](const Master& master, const core::Packing* packing) {
+      return cutoff_ = observer_.offer(master, packing);
+    };
+    LeafLimits leaf_limits;
+    leaf_limits.max_nodes = limits_.max_nodes - result_.nodes;
+    leaf_limits.deadline = limits_.deadline;
+    leaf_limits.proof = limits_.proof;
+    LeafSearch leaf(component_, leaf_limits, offer);
+    loop.leaf = &leaf;
     const auto round = [&](const Master& point) {
       raise(point.lower());
       return cutoff_ = observer_.offer(point, nullptr);
     };
     const CutLoopEnd end = run_cut_loop(component_, master_, loop, round);
-    if (end == CutLoopEnd::kProven) raise(cutoff_);
+    result_.nodes += leaf.nodes();
+    if (end == CutLoopEnd::kProven || end == CutLoopEnd::kSearched) raise(cutoff_);
+    exhaustive_ = end == CutLoopEnd::kSearched;
     if (limits_.proof != nullptr) proof_size_ = limits_.proof->size();
-    return end != CutLoopEnd::kProven && end != CutLoopEnd::kStopped;
+    return end != CutLoopEnd::kSearched && end != CutLoopEnd::kProven &&
+           end != CutLoopEnd::kStopped;
   }
 
   // All packings cheaper than `target`.  Returns whether there is more to do.
@@ -99,6 +109,7 @@ class Widening {
         });
     const BranchAndCutResult found = tree.run();
     result_.nodes += found.nodes;
+    last_tree_nodes_ = found.tree_nodes;
     exhaustive_ = found.exhaustive && target >= cutoff_;
     raise(std::min({found.lower, target, cutoff_}));
     return found.complete && result_.lower < cutoff_;
@@ -117,6 +128,7 @@ class Widening {
   Master master_;
   std::size_t proof_size_;   // before the circles
   bool exhaustive_ = false;  // the last circle holds all, and its tree was searched to the end
+  std::int64_t last_tree_nodes_ = 0;
   WideningResult result_;
 };
 

@@ -202,8 +202,7 @@ void ComponentSolver::branch_and_cut(double allowed_gap) {
 // that the checker can do again.
 void ComponentSolver::finish_proof() {
   if (proof_->size() > 0) return;
-  const bool searchable = enumerated_ && component_.num_indices() <= kMostProofSearchIndices;
-  if (searchable && state_.certificate < cutoff()) return proof_->search(state_.u, cutoff());
+  if (enumerated_ && state_.certificate < cutoff()) return proof_->search(state_.u, cutoff());
   proof_->bound(state_.u);
 }
 

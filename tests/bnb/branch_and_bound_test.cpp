@@ -382,7 +382,7 @@ TEST(BranchAndBoundContract, BoundsAgainWhatTakesTooLongToEnumerate) {
     return keep_the_warm_multipliers(node, warm, cutoff);
   };
   BranchLimits limits;
-  limits.enumeration_nodes = 2;
+  limits.enumeration_nodes = 1;
   const SearchResult result =
       branch_and_bound(two_rivals(), kRivalMultipliers, kInfinity, {count, split_only}, limits);
   EXPECT_TRUE(result.complete);

@@ -104,7 +104,7 @@ TEST(Enumerate, StaysSoundUnderANodeLimit) {
     const Component component = support::random_component_of_any_kind(seed);
     const std::vector<double> u = support::feasible_multipliers(component, random, 2);
     const double best = support::best_cost(component);
-    const std::int64_t max_nodes = 1 + static_cast<std::int64_t>(random.below(20));
+    const std::int64_t max_nodes = 1 + static_cast<std::int64_t>(random.below(6));
     const double cutoff = random.below(2) == 0 ? kInfinity : best + random.uniform(-1, 3);
     const SearchResult result = enumerate(component, u, cutoff, max_nodes);
     EXPECT_LE(result.nodes, max_nodes);

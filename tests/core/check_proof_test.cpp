@@ -137,7 +137,12 @@ TEST(CheckProof, NamesTheFault) {
        [](Proof& p) {
          p.parts[0].steps.insert(p.parts[0].steps.begin(), {ProofRule::kApart, {}, 0, 1, 1});
        }},
-      {"takes no cuts", [](Proof& p) { p.parts[0].steps[0].rule = ProofRule::kSearch; }},
+      {"too wide",
+       [&](Proof& p) {
+         p.parts[0].steps[0].rule = ProofRule::kSearch;
+         point(p).cuts[0].weights = {255, 255, 255};
+         point(p).cuts[0].divisor = 1;
+       }},
       {"without a finite threshold", [](Proof& p) { p.parts[0].steps = {search(0, kInfinity)}; }},
   };
   for (const Spoiled& spoiled : all) {
@@ -154,23 +159,38 @@ TEST(CheckProof, RefusesTreesTooDeepForTheStack) {
   EXPECT_THAT(report(frame(std::move(steps))).fault, HasSubstr("too deep"));
 }
 
-// One arc that does not pay among so many indices, and a proof that searches them all.
-ProofReport search_among(Index count) {
-  ProblemBuilder builder({count - 1, 1});
-  builder.add_arc({1, 1}, 1);
+// A ladder: arcs (i, i) and (i, i + 1), and a proof that searches it rung by rung.
+ProofReport search_ladder(Index length) {
+  ProblemBuilder builder({length, length});
   Proof proof;
-  proof.sizes = {count - 1, 1};
-  proof.num_arcs = 1;
-  proof.parts.push_back({{{1, 1}}, {{ProofRule::kSearch, {}, 0.5, 0, 0}}});
-  for (Index i = 1; i < count; ++i) proof.parts[0].indices.push_back({0, i});
+  proof.sizes = {length, length};
+  proof.num_arcs = 2 * std::size_t{length} - 1;
+  proof.parts.push_back({{}, {{ProofRule::kSearch, {}, 0, 0, 0}}});
+  for (Index i = 1; i <= length; ++i) {
+    builder.add_arc({i, i}, -1);
+    if (i < length) builder.add_arc({i, i + 1}, -1);
+    for (const int k : {0, 1}) {
+      const auto position = static_cast<std::uint32_t>(proof.parts[0].indices.size());
+      proof.parts[0].indices.push_back({k, i});
+      proof.parts[0].steps[0].point.changes.push_back({position, -0.5});
+    }
+  }
   return check_proof(std::move(builder).build(), proof);
 }
 
 TEST(CheckProof, SearchesNoDeeperThanTheStackAllows) {
-  const ProofReport deepest = search_among(kMostProofSearchIndices);
+  const ProofReport deepest = search_ladder(kMostProofSearchDepth - 10);
   EXPECT_EQ(deepest.fault, "");
-  EXPECT_NEAR(deepest.lower_bound, 0, 1e-20);
-  EXPECT_THAT(search_among(kMostProofSearchIndices + 1).fault, HasSubstr("too many indices"));
+  EXPECT_NEAR(deepest.lower_bound, -(kMostProofSearchDepth - 10), 1e-9);
+  EXPECT_THAT(search_ladder(kMostProofSearchDepth + 10).fault, HasSubstr("too deep"));
+}
+
+TEST(CheckProof, SearchesWithinCuts) {
+  // The triangle's clique: u = 0, multiplier -1, no slack anywhere: the first arc is the answer.
+  const ProofCut clique = {{0, 1, 2}, {1, 1, 1}, 2, -1};
+  const ProofPoint point = {{{0, 0}, {1, 0}, {2, 0}}, {clique}};
+  expect_bound(frame({{ProofRule::kSearch, point, 0, 0, 0}}), -1);
+  expect_bound(frame({{ProofRule::kSearch, point, -1, 0, 0}}), -1);
 }
 
 // Any tree at all, with any numbers.
@@ -224,7 +244,7 @@ class RandomProof {
       grow(steps, depth + 1);
       grow(steps, depth + 1);
     } else if (random_.below(2) == 0) {
-      steps.push_back({ProofRule::kSearch, point(false), 3 * number(), 0, 0});
+      steps.push_back({ProofRule::kSearch, point(true), 3 * number(), 0, 0});
     } else {
       steps.push_back({ProofRule::kBound, point(true), 0, 0, 0});
     }

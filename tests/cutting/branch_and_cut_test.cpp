@@ -21,6 +21,7 @@ Outcome search(const Component& component, double cutoff, std::int64_t max_nodes
   BranchAndCutLimits limits;
   limits.max_nodes = max_nodes;
   limits.root_rounds = limits.node_rounds = 1;
+  limits.leaf_work = 0;
   Outcome outcome;
   outcome.best.cost = cutoff;
   BranchAndCut tree(component, master, cutoff, limits, [&](const Master&, const Packing* packing) {

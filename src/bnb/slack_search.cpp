@@ -1,0 +1,380 @@
+#include "bnb/slack_search.hpp"
+
+#include <algorithm>
+#include <memory>
+
+#include "bnb/slack_parts.hpp"
+#include "nda/proof.hpp"
+
+// Good multipliers leave a budget that pays for few deviations from zero slack, so what decides is
+// how cheaply a node is seen through.  Four things are done at a node, all in one pass over the
+// arcs that still fit and are affordable:
+//
+//   settle   a row that the arcs left cannot fill pays for the rest now;
+//   ascend   a row all of whose arcs cost something passes the least of that on: one step of
+//            coordinate ascent, inherited by the children;
+//   split    what falls apart is solved part by part, each within what the others left of the
+//            budget: a sum of searches where there was a product (Marinescu & Dechter 2009 call
+//            it AND/OR search).  Tracking problems fall apart after a few decisions;
+//   branch   on the row with the fewest uses: one of its arcs is used, or none.
+//
+// Rounding: sums of terms below the budget err by far less than kTolerance of it, so a budget that
+// much larger loses nothing.
+
+namespace nda::bnb {
+namespace {
+
+constexpr std::uint32_t kNone = ~std::uint32_t{0};
+constexpr double kTolerance = 0x1p-36;
+constexpr double kStep = 0x1p-30;  // of the budget: a smaller ascent is not worth its time
+constexpr double kWorkBetweenLooks = 1 << 14;
+constexpr int kLongestPause = 3;
+
+class SlackSearch {
+ public:
+  SlackSearch(const SlackProblem& problem, double budget, const SlackLimits& limits)
+      : problem_(problem),
+        limits_(limits),
+        least_step_(budget < kInfinity ? kStep * budget : 0),
+        count_(problem.num_rows(), 0),
+        least_(problem.num_rows(), 0),
+        place_(problem.num_rows(), kNone),
+        position_(problem.num_arcs(), kNone),
+        parts_(problem) {
+    list_arcs_of_rows();
+  }
+
+  SlackResult run(double budget) {
+    Node& root = node(0);
+    for (std::uint32_t a = 0; a < problem_.num_arcs(); ++a)
+      root.arcs.push_back({a, problem_.reduced(a)});
+    for (std::uint32_t row = 0; row < problem_.num_rows(); ++row) {
+      if (problem_.price(row) > 0 && problem_.capacity(row) > 0)
+        root.rows.push_back({row, problem_.capacity(row), problem_.price(row)});
+    }
+    root.may_split = true;
+    SlackResult result;
+    result.slack = solve(0, budget < kInfinity ? budget + kTolerance * budget : budget);
+    if (result.slack < kInfinity) result.arcs = root.best;
+    result.complete = !stopped_;
+    result.nodes = nodes_;
+    return result;
+  }
+
+ private:
+  struct Node {
+    std::vector<OpenArc> arcs;
+    std::vector<OpenRow> rows;
+    bool may_split = false;           // some arcs went since the last look
+    std::vector<std::uint32_t> best;  // arcs of the best packing found
+    std::vector<std::uint32_t> forced;
+    std::vector<OpenArc> choices;
+    Parts parts;
+  };
+
+  Node& node(std::size_t depth) {
+    while (nodes_at_.size() <= depth) nodes_at_.push_back(std::make_unique<Node>());
+    return *nodes_at_[depth];
+  }
+
+  void list_arcs_of_rows() {
+    row_start_.assign(problem_.num_rows() + std::size_t{1}, 0);
+    for (std::uint32_t a = 0; a < problem_.num_arcs(); ++a) {
+      for (const RowUse use : problem_.uses(a)) ++row_start_[use.row + std::size_t{1}];
+    }
+    for (std::size_t row = 0; row < problem_.num_rows(); ++row)
+      row_start_[row + 1] += row_start_[row];
+    row_arcs_.resize(row_start_.back());
+    std::vector<std::size_t> next(row_start_.begin(), row_start_.end() - 1);
+    for (std::uint32_t a = 0; a < problem_.num_arcs(); ++a) {
+      for (const RowUse use : problem_.uses(a)) row_arcs_[next[use.row]++] = {a, use.coefficient};
+    }
+  }
+
+  bool is_stopped(const Node& here) {
+    work_ += static_cast<double>(here.arcs.size());
+    if (nodes_ >= limits_.max_nodes || work_ > limits_.max_work) return stopped_ = true;
+    ++nodes_;
+    if (work_ - work_at_look_ > kWorkBetweenLooks) {
+      work_at_look_ = work_;
+      stopped_ = stopped_ || limits_.deadline.reached();
+    }
+    return stopped_;
+  }
+
+  // Least slack below the budget, or +inf; its arcs are then the node's best.
+  double solve(std::size_t depth, double budget) {
+    Node& here = node(depth);
+    here.best.clear();
+    here.forced.clear();
+    double spent = 0;
+    do {
+      if (is_stopped(here) || depth > std::size_t{kMostProofSearchDepth}) {
+        stopped_ = true;
+        return kInfinity;
+      }
+      if (!settle(here, spent, budget) || !ascend(here, spent, budget)) return kInfinity;
+    } while (force(here, spent, budget));
+    if (!here.rows.empty()) spent += divide(depth, budget - spent);
+    if (spent < budget) here.best.insert(here.best.end(), here.forced.begin(), here.forced.end());
+    return spent;
+  }
+
+  double divide(std::size_t depth, double budget) {
+    Node& here = node(depth);
+    return is_worth_splitting(here) && parts_.split(here.arcs, here.rows, here.parts)
+               ? solve_parts(depth, budget)
+               : branch(depth, budget);
+  }
+
+  // Does what must be done where a row has one use only; returns whether there was such a row.
+  bool force(Node& here, double& spent, double budget) {
+    if (here.rows.empty()) return false;
+    const OpenRow row = narrowest(here, budget - spent);
+    if (num_uses(row, budget - spent) != 1) return false;
+    if (count_[row.row] == 0) {
+      spent += row.left * row.price;
+      leave(here, row.row, here);
+      return true;
+    }
+    list_choices(here, row.row);
+    const OpenArc only = here.choices.front();
+    spent += only.reduced;
+    here.forced.push_back(only.arc);
+    take(here, only.arc, here);
+    return true;
+  }
+
+  // Drops what the budget does not pay for, charges rows for what nothing is left to fill.
+  // Returns whether the budget is kept.
+  bool settle(Node& here, double& spent, double budget) {
+    for (bool again = true; again;) {
+      if (!(spent < budget)) return false;
+      count(here, budget - spent);
+      again = false;
+      for (OpenRow& row : here.rows) {
+        if (count_[row.row] >= row.left) continue;
+        spent += (row.left - count_[row.row]) * row.price;
+        if (!(spent < budget)) return false;
+        row.left = count_[row.row];
+        again = true;
+      }
+      std::erase_if(here.rows, [](const OpenRow& row) { return row.left == 0; });
+    }
+    return true;
+  }
+
+  void count(Node& here, double left) {
+    for (const OpenRow& row : here.rows) {
+      count_[row.row] = 0;
+      least_[row.row] = kInfinity;
+    }
+    const std::size_t before = here.arcs.size();
+    std::erase_if(here.arcs, [&](const OpenArc& arc) { return !(arc.reduced < left); });
+    here.may_split = here.may_split || here.arcs.size() < before;
+    for (const OpenArc& arc : here.arcs) {
+      for (const RowUse use : problem_.uses(arc.arc)) {
+        count_[use.row] += use.coefficient;
+        least_[use.row] = std::min(least_[use.row], arc.reduced);
+      }
+    }
+  }
+
+  // Lowers prices and reduced costs by what every use of a row costs.
+  bool ascend(Node& here, double& spent, double budget) {
+    const auto pays = [&](const OpenRow& row) { return least_[row.row] > least_step_; };
+    if (std::none_of(here.rows.begin(), here.rows.end(), pays)) return true;
+    for (std::uint32_t i = 0; i < here.arcs.size(); ++i) position_[here.arcs[i].arc] = i;
+    for (OpenRow& row : here.rows) {
+      if (!pays(row)) continue;
+      const double step = std::min(row.price, least_share(here, row.row));
+      if (!(step > least_step_)) continue;
+      for_each_open(here, row.row, [&](OpenArc& arc, std::uint32_t coefficient) {
+        arc.reduced = std::max(0.0, arc.reduced - step * coefficient);
+      });
+      row.price -= step;
+      spent += step * row.left;
+      if (!(spent < budget)) break;
+    }
+    for (const OpenArc& arc : here.arcs) position_[arc.arc] = kNone;
+    std::erase_if(here.rows, [](const OpenRow& row) { return row.price <= 0; });
+    return spent < budget;
+  }
+
+  double least_share(Node& here, std::uint32_t row) {
+    double least = kInfinity;
+    for_each_open(here, row, [&](const OpenArc& arc, std::uint32_t coefficient) {
+      least = std::min(least, arc.reduced / coefficient);
+    });
+    return least;
+  }
+
+  // The open arcs of a row, while position_ says where they are.
+  template <typename Visit>
+  void for_each_open(Node& here, std::uint32_t row, Visit&& visit) {
+    for (std::size_t i = row_start_[row]; i < row_start_[row + std::size_t{1}]; ++i) {
+      const std::uint32_t position = position_[row_arcs_[i].arc];
+      if (position != kNone) visit(here.arcs[position], row_arcs_[i].coefficient);
+    }
+  }
+
+  // Looking for parts costs as much as a node: less often where it keeps failing.
+  bool is_worth_splitting(Node& here) {
+    if (!here.may_split) return false;
+    here.may_split = false;
+    if (pause_-- > 0) return false;
+    pause_length_ = std::min(2 * pause_length_ + 1, kLongestPause);
+    pause_ = pause_length_;
+    return true;
+  }
+
+  double solve_parts(std::size_t depth, double budget) {
+    pause_length_ = pause_ = 0;
+    Node& here = node(depth);
+    double spent = 0;
+    for (std::size_t p = 0; p < here.parts.size(); ++p) {
+      Node& part = node(depth + 1);
+      here.parts.copy(p, here.arcs, here.rows, part.arcs, part.rows);
+      part.may_split = false;
+      const double slack = solve(depth + 1, budget - spent);
+      if (!(slack < budget - spent)) return kInfinity;
+      spent += slack;
+      here.best.insert(here.best.end(), part.best.begin(), part.best.end());
+    }
+    return spent;
+  }
+
+  double branch(std::size_t depth, double budget) {
+    Node& here = node(depth);
+    const OpenRow row = narrowest(here, budget);
+    list_choices(here, row.row);
+    double least = kInfinity;
+    for (const OpenArc choice : here.choices) {
+      const double limit = std::min(budget, least) - choice.reduced;
+      if (stopped_ || !(limit > 0)) break;
+      take(here, choice.arc, node(depth + 1));
+      const double slack = solve(depth + 1, limit);
+      if (slack < limit) {
+        least = choice.reduced + slack;
+        here.best = node(depth + 1).best;
+        here.best.push_back(choice.arc);
+      }
+      // More arcs may fit into a cut: not in every order.
+      if (row.row >= problem_.num_indices()) drop(here, choice.arc);
+    }
+    const double price = row.left * row.price;
+    const double limit = std::min(budget, least) - price;
+    if (stopped_ || !(limit > 0)) return least;
+    leave(here, row.row, node(depth + 1));
+    const double slack = solve(depth + 1, limit);
+    if (!(slack < limit)) return least;
+    here.best = node(depth + 1).best;
+    return price + slack;
+  }
+
+  // The affordable uses of a row, leaving it included.
+  std::uint32_t num_uses(const OpenRow& row, double budget) const {
+    return count_[row.row] + (row.left * row.price < budget ? 1 : 0);
+  }
+
+  // The row with the fewest uses.
+  OpenRow narrowest(const Node& here, double budget) const {
+    return *std::min_element(
+        here.rows.begin(), here.rows.end(), [&](const OpenRow& a, const OpenRow& b) {
+          return num_uses(a, budget) < num_uses(b, budget);
+        });
+  }
+
+  bool is_in(std::uint32_t arc, std::uint32_t row) const {
+    const std::span<const RowUse> uses = problem_.uses(arc);
+    return std::any_of(uses.begin(), uses.end(), [&](const RowUse& use) { return use.row == row; });
+  }
+
+  void list_choices(Node& here, std::uint32_t row) const {
+    here.choices.clear();
+    for (const OpenArc& arc : here.arcs) {
+      if (is_in(arc.arc, row)) here.choices.push_back(arc);
+    }
+    std::sort(here.choices.begin(), here.choices.end(), [](const OpenArc& a, const OpenArc& b) {
+      return a.reduced != b.reduced ? a.reduced < b.reduced : a.arc < b.arc;
+    });
+  }
+
+  // What is left of a node when an arc is used; `next` may be `here`.
+  void take(const Node& here, std::uint32_t arc, Node& next) {
+    for (const RowUse use : problem_.uses(arc)) place_[use.row] = use.coefficient;
+    copy_if(here.arcs, next.arcs, [&](const OpenArc& other) {
+      const std::span<const RowUse> uses = problem_.uses(other.arc);
+      return std::none_of(uses.begin(), uses.end(), [&](const RowUse& use) {
+        return use.row < problem_.num_indices() && place_[use.row] != kNone;
+      });
+    });
+    copy_if(here.rows, next.rows, [](const OpenRow&) { return true; });
+    for (OpenRow& row : next.rows) {
+      if (place_[row.row] != kNone) row.left -= std::min(row.left, place_[row.row]);
+    }
+    std::erase_if(next.rows, [](const OpenRow& row) { return row.left == 0; });
+    for (const RowUse use : problem_.uses(arc)) place_[use.row] = kNone;
+    next.may_split = true;
+  }
+
+  // What is left of a node when a row is not used any more; `next` may be `here`.
+  void leave(const Node& here, std::uint32_t row, Node& next) const {
+    copy_if(here.arcs, next.arcs, [&](const OpenArc& arc) { return !is_in(arc.arc, row); });
+    copy_if(here.rows, next.rows, [&](const OpenRow& other) { return other.row != row; });
+    next.may_split = true;
+  }
+
+  template <typename T, typename Keep>
+  static void copy_if(const std::vector<T>& from, std::vector<T>& to, Keep&& keep) {
+    to.resize(from.size());
+    to.erase(std::copy_if(from.begin(), from.end(), to.begin(), keep), to.end());
+  }
+
+  static void drop(Node& here, std::uint32_t arc) {
+    std::erase_if(here.arcs, [&](const OpenArc& other) { return other.arc == arc; });
+  }
+
+  const SlackProblem& problem_;
+  const SlackLimits& limits_;
+  const double least_step_;
+  std::vector<std::size_t> row_start_;
+  struct ArcUse {
+    std::uint32_t arc;
+    std::uint32_t coefficient;
+  };
+  std::vector<ArcUse> row_arcs_;         // by row
+  std::vector<std::uint32_t> count_;     // [row]: coefficients of the open arcs
+  std::vector<double> least_;            // [row]: least reduced cost of an open arc
+  std::vector<std::uint32_t> place_;     // [row]: coefficient of the arc being taken, else kNone
+  std::vector<std::uint32_t> position_;  // [arc]: in the node's list, while ascending
+  PartFinder parts_;
+  int pause_ = 0;
+  int pause_length_ = 0;
+  std::vector<std::unique_ptr<Node>> nodes_at_;  // by depth
+  std::int64_t nodes_ = 0;
+  double work_ = 0;
+  double work_at_look_ = 0;
+  bool stopped_ = false;
+};
+
+}  // namespace
+
+std::uint32_t SlackProblem::add_row(double price, std::uint32_t capacity) {
+  price_.push_back(price);
+  capacity_.push_back(capacity);
+  return num_rows() - 1;
+}
+
+std::uint32_t SlackProblem::add_arc(double reduced, std::span<const RowUse> uses) {
+  reduced_.push_back(reduced);
+  uses_.insert(uses_.end(), uses.begin(), uses.end());
+  start_.push_back(uses_.size());
+  return num_arcs() - 1;
+}
+
+SlackResult search_slack(const SlackProblem& problem, double budget, const SlackLimits& limits) {
+  return SlackSearch(problem, budget, limits).run(budget);
+}
+
+}  // namespace nda::bnb

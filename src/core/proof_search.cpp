@@ -1,0 +1,301 @@
+#include "core/proof_search.hpp"
+
+#include <cmath>
+#include <limits>
+
+// The checker's own search.  It reckons in integers: units so small that the budget is 2^48 of
+// them, every cost rounded down.  So nothing is rounded on the way, and the sum of what was lost is
+// on the safe side.
+//
+// The search is that of bnb/slack_search.cpp, written a second time: it must not take much longer.
+// Its tricks lose nothing.  A row that the arcs left cannot fill pays for the rest.  Lowering the
+// price of a row by d and the costs of its arcs by d times their coefficients lowers every choice
+// by d times the capacity left.  Arcs that share nothing, not even over others, are chosen
+// independently.
+
+namespace nda::core {
+namespace {
+
+using Units = std::int64_t;
+
+constexpr int kBudgetExponent = 48;
+constexpr std::uint32_t kMostCapacity = 255;
+constexpr std::uint32_t kUnlabelled = std::numeric_limits<std::uint32_t>::max();
+
+struct Arc {
+  std::uint32_t id;
+  Units rise;
+};
+
+struct Row {
+  std::uint32_t id;
+  std::uint32_t left;
+  Units price;
+};
+
+struct State {
+  std::vector<Arc> arcs;
+  std::vector<Row> rows;
+};
+
+class ProofSearch {
+ public:
+  ProofSearch(const SearchTask& task, double budget, double& work, double most_work)
+      : task_(task),
+        work_(work),
+        most_work_(most_work),
+        unit_(std::ldexp(1.0, std::ilogb(budget) - kBudgetExponent)),
+        limit_(static_cast<Units>(std::ceil(budget / unit_))),
+        arcs_of_(task.rows.size()),
+        filled_(task.rows.size(), 0),
+        marked_(task.rows.size(), 0),
+        label_(task.rows.size(), 0),
+        where_(task.rise.size(), kUnlabelled) {}
+
+  double run() {
+    State state;
+    for (std::uint32_t a = 0; a < task_.rise.size(); ++a) {
+      state.arcs.push_back({a, units(task_.rise[a])});
+      for (const SearchEntry entry : task_.entries[a])
+        arcs_of_[entry.row].push_back({a, entry.coefficient});
+    }
+    for (std::uint32_t r = 0; r < task_.rows.size(); ++r) {
+      if (task_.rows[r].capacity > kMostCapacity)
+        throw ProofFault{"a cut of the search is too wide"};
+      state.rows.push_back({r, task_.rows[r].capacity, units(task_.rows[r].price)});
+    }
+    return static_cast<double>(least(std::move(state), limit_, 0)) * unit_;
+  }
+
+ private:
+  struct Member {
+    std::uint32_t arc;
+    std::uint32_t coefficient;
+  };
+
+  Units units(double cost) const {
+    const double count = std::floor(cost / unit_);
+    return count < static_cast<double>(limit_) ? static_cast<Units>(count) : limit_;
+  }
+
+  // The least cost of a choice, or the limit if none costs less.
+  Units least(State state, Units limit, int depth) {
+    if (depth > kMostProofSearchDepth) throw ProofFault{"the search is too deep"};
+    Units paid = 0;
+    for (;;) {
+      work_ += 1 + static_cast<double>(state.arcs.size());
+      if (work_ > most_work_) throw ProofFault{"the search takes too long"};
+      if (!pay_unfillable(state, paid, limit) || !pay_common(state, paid, limit)) return limit;
+      if (state.rows.empty()) return paid;
+      const Row row = tightest(state, limit - paid);
+      const std::vector<Arc> choices = users(state, row.id);
+      const bool may_leave = row.left * row.price < limit - paid;
+      if (choices.size() + may_leave == 0) return limit;
+      if (choices.size() + may_leave > 1) break;
+      paid += may_leave ? row.left * row.price : choices.front().rise;
+      state = may_leave ? without(state, row.id) : with(state, choices.front().id);
+    }
+    const std::vector<State> parts = divide(state);
+    if (parts.size() == 1) return std::min(limit, paid + branch(state, limit - paid, depth + 1));
+    for (const State& part : parts) {
+      paid += least(part, limit - paid, depth + 1);
+      if (paid >= limit) return limit;
+    }
+    return paid;
+  }
+
+  Units branch(State& state, Units limit, int depth) {
+    const Row row = tightest(state, limit);
+    for (const Arc choice : users(state, row.id)) {
+      if (choice.rise >= limit) break;
+      limit = choice.rise + least(with(state, choice.id), limit - choice.rise, depth);
+      // Other orders of several arcs in a cut are no other choices.
+      if (row.id >= task_.num_indices)
+        std::erase_if(state.arcs, [&](const Arc& arc) { return arc.id == choice.id; });
+    }
+    const Units price = row.left * row.price;
+    if (price < limit) limit = price + least(without(state, row.id), limit - price, depth);
+    return limit;
+  }
+
+  void fill(const State& state) {
+    for (const Row& row : state.rows) filled_[row.id] = 0;
+    for (const Arc& arc : state.arcs) {
+      for (const SearchEntry entry : task_.entries[arc.id]) filled_[entry.row] += entry.coefficient;
+    }
+  }
+
+  // False where the limit is reached.
+  bool pay_unfillable(State& state, Units& paid, Units limit) {
+    for (bool again = true; again && paid < limit;) {
+      again = false;
+      std::erase_if(state.arcs, [&](const Arc& arc) { return arc.rise >= limit - paid; });
+      fill(state);
+      for (Row& row : state.rows) {
+        if (filled_[row.id] >= row.left) continue;
+        paid = std::min(limit, paid + (row.left - filled_[row.id]) * row.price);
+        row.left = filled_[row.id];
+        again = true;
+      }
+      std::erase_if(state.rows, [](const Row& row) { return row.left == 0 || row.price == 0; });
+    }
+    return paid < limit;
+  }
+
+  bool pay_common(State& state, Units& paid, Units limit) {
+    for (std::uint32_t i = 0; i < state.arcs.size(); ++i) where_[state.arcs[i].id] = i;
+    for (Row& row : state.rows) {
+      Units common = row.price;
+      for_each_member(row.id, [&](std::uint32_t i, std::uint32_t coefficient) {
+        common = std::min(common, state.arcs[i].rise / coefficient);
+      });
+      if (common == 0) continue;
+      for_each_member(row.id, [&](std::uint32_t i, std::uint32_t coefficient) {
+        state.arcs[i].rise -= common * coefficient;
+      });
+      row.price -= common;
+      paid = std::min(limit, paid + common * row.left);
+      if (paid == limit) break;
+    }
+    for (const Arc& arc : state.arcs) where_[arc.id] = kUnlabelled;
+    std::erase_if(state.rows, [](const Row& row) { return row.price == 0; });
+    return paid < limit;
+  }
+
+  template <typename Visit>
+  void for_each_member(std::uint32_t row, Visit&& visit) const {
+    for (const Member member : arcs_of_[row]) {
+      if (where_[member.arc] != kUnlabelled) visit(where_[member.arc], member.coefficient);
+    }
+  }
+
+  Row tightest(const State& state, Units limit) const {
+    const auto choices = [&](const Row& row) {
+      return filled_[row.id] + (row.left * row.price < limit ? 1 : 0);
+    };
+    Row best = state.rows.front();
+    for (const Row& row : state.rows) {
+      if (choices(row) < choices(best)) best = row;
+    }
+    return best;
+  }
+
+  bool uses(std::uint32_t arc, std::uint32_t row) const {
+    for (const SearchEntry entry : task_.entries[arc]) {
+      if (entry.row == row) return true;
+    }
+    return false;
+  }
+
+  std::vector<Arc> users(const State& state, std::uint32_t row) const {
+    std::vector<Arc> found;
+    for (const Arc& arc : state.arcs) {
+      if (uses(arc.id, row)) found.push_back(arc);
+    }
+    std::sort(found.begin(), found.end(), [](const Arc& a, const Arc& b) {
+      return a.rise != b.rise ? a.rise < b.rise : a.id < b.id;
+    });
+    return found;
+  }
+
+  State with(const State& state, std::uint32_t chosen) {
+    for (const SearchEntry entry : task_.entries[chosen]) marked_[entry.row] = entry.coefficient;
+    State rest;
+    for (const Arc& arc : state.arcs) {
+      bool fits = true;
+      for (const SearchEntry entry : task_.entries[arc.id])
+        fits = fits && (entry.row >= task_.num_indices || marked_[entry.row] == 0);
+      if (fits) rest.arcs.push_back(arc);
+    }
+    for (Row row : state.rows) {
+      row.left -= std::min(row.left, marked_[row.id]);
+      if (row.left > 0) rest.rows.push_back(row);
+    }
+    for (const SearchEntry entry : task_.entries[chosen]) marked_[entry.row] = 0;
+    return rest;
+  }
+
+  State without(const State& state, std::uint32_t left) const {
+    State rest;
+    for (const Arc& arc : state.arcs) {
+      if (!uses(arc.id, left)) rest.arcs.push_back(arc);
+    }
+    for (const Row& row : state.rows) {
+      if (row.id != left) rest.rows.push_back(row);
+    }
+    return rest;
+  }
+
+  // Parts that no arc connects, smallest first; without arcs that fill no row.
+  std::vector<State> divide(const State& state) {
+    for (const Arc& arc : state.arcs) {
+      for (const SearchEntry entry : task_.entries[arc.id]) label_[entry.row] = kUnlabelled;
+    }
+    for (const Row& row : state.rows) marked_[row.id] = 1;
+    for (std::uint32_t i = 0; i < state.arcs.size(); ++i) where_[state.arcs[i].id] = i;
+    std::vector<State> parts;
+    for (const Row& row : state.rows) {
+      if (label_[row.id] == kUnlabelled) {
+        flood(row.id, static_cast<std::uint32_t>(parts.size()));
+        parts.emplace_back();
+      }
+      parts[label_[row.id]].rows.push_back(row);
+    }
+    for (const Arc& arc : state.arcs) {
+      const std::uint32_t part = label_of(arc.id);
+      if (part != kUnlabelled) parts[part].arcs.push_back(arc);
+    }
+    for (const Row& row : state.rows) marked_[row.id] = 0;
+    for (const Arc& arc : state.arcs) where_[arc.id] = kUnlabelled;
+    std::stable_sort(parts.begin(), parts.end(), [](const State& a, const State& b) {
+      return a.arcs.size() < b.arcs.size();
+    });
+    return parts;
+  }
+
+  bool connects(std::uint32_t row) const { return row < task_.num_indices || marked_[row] != 0; }
+
+  // Labels all rows that arcs connect with one.
+  void flood(std::uint32_t row, std::uint32_t part) {
+    std::vector<std::uint32_t> ahead = {row};
+    label_[row] = part;
+    while (!ahead.empty()) {
+      const std::uint32_t here = ahead.back();
+      ahead.pop_back();
+      for (const Member member : arcs_of_[here]) {
+        if (where_[member.arc] == kUnlabelled) continue;
+        for (const SearchEntry entry : task_.entries[member.arc]) {
+          if (label_[entry.row] != kUnlabelled || !connects(entry.row)) continue;
+          label_[entry.row] = part;
+          ahead.push_back(entry.row);
+        }
+      }
+    }
+  }
+
+  std::uint32_t label_of(std::uint32_t arc) const {
+    for (const SearchEntry entry : task_.entries[arc]) {
+      if (connects(entry.row)) return label_[entry.row];
+    }
+    return kUnlabelled;
+  }
+
+  const SearchTask& task_;
+  double& work_;
+  const double most_work_;
+  const double unit_;
+  const Units limit_;
+  std::vector<std::vector<Member>> arcs_of_;  // by row
+  std::vector<std::uint32_t> filled_;         // by row: coefficients of the arcs left
+  std::vector<std::uint32_t> marked_;         // by row, 0 between uses
+  std::vector<std::uint32_t> label_;          // by row: its part
+  std::vector<std::uint32_t> where_;  // by arc: its position in a list, while that is of use
+};
+
+}  // namespace
+
+double least_rise(const SearchTask& task, double budget, double& work, double most_work) {
+  return std::min(budget, ProofSearch(task, budget, work, most_work).run());
+}
+
+}  // namespace nda::core
