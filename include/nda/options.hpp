@@ -34,7 +34,9 @@ struct RelaxationOptions {
   DualMethod dual_method = DualMethod::kBundleTrust;
   Assign2dMethod assign2d = Assign2dMethod::kShortestPath;  ///< evaluates the dual function
   RecoveryMethod recovery = RecoveryMethod::kRecursive;
-  int max_evaluations = 300;      ///< of the dual function of each large component; >= 1
+  /// Of the dual function of each large component; >= 1.  At most 50 where a linear program
+  /// follows (Method::kAuto).
+  int max_evaluations = 300;
   int recovery_evaluations = 20;  ///< of each lower-dimensional recovery problem; >= 1
   int recovery_interval = 10;     ///< recover at every so many evaluations, at every one in three
                                   ///< dimensions, and at the best; >= 1

@@ -39,7 +39,7 @@ class SlackSearch {
         count_(problem.num_rows(), 0),
         least_(problem.num_rows(), 0),
         place_(problem.num_rows(), kNone),
-        position_(problem.num_arcs(), kNone),
+        position_(problem.num_arcs(), 0),
         parts_(problem) {
     list_arcs_of_rows();
   }
@@ -58,6 +58,7 @@ class SlackSearch {
     if (result.slack < kInfinity) result.arcs = root.best;
     result.complete = !stopped_;
     result.nodes = nodes_;
+    result.work = work_;
     return result;
   }
 
@@ -172,7 +173,9 @@ class SlackSearch {
     const std::size_t before = here.arcs.size();
     std::erase_if(here.arcs, [&](const OpenArc& arc) { return !(arc.reduced < left); });
     here.may_split = here.may_split || here.arcs.size() < before;
-    for (const OpenArc& arc : here.arcs) {
+    for (std::uint32_t i = 0; i < here.arcs.size(); ++i) {
+      const OpenArc arc = here.arcs[i];
+      position_[arc.arc] = i;
       for (const RowUse use : problem_.uses(arc.arc)) {
         count_[use.row] += use.coefficient;
         least_[use.row] = std::min(least_[use.row], arc.reduced);
@@ -184,7 +187,6 @@ class SlackSearch {
   bool ascend(Node& here, double& spent, double budget) {
     const auto pays = [&](const OpenRow& row) { return least_[row.row] > least_step_; };
     if (std::none_of(here.rows.begin(), here.rows.end(), pays)) return true;
-    for (std::uint32_t i = 0; i < here.arcs.size(); ++i) position_[here.arcs[i].arc] = i;
     for (OpenRow& row : here.rows) {
       if (!pays(row)) continue;
       const double step = std::min(row.price, least_share(here, row.row));
@@ -196,7 +198,6 @@ class SlackSearch {
       spent += step * row.left;
       if (!(spent < budget)) break;
     }
-    for (const OpenArc& arc : here.arcs) position_[arc.arc] = kNone;
     std::erase_if(here.rows, [](const OpenRow& row) { return row.price <= 0; });
     return spent < budget;
   }
@@ -209,12 +210,13 @@ class SlackSearch {
     return least;
   }
 
-  // The open arcs of a row, while position_ says where they are.
+  // The open arcs of a row, as long as none was dropped since they were counted.
   template <typename Visit>
   void for_each_open(Node& here, std::uint32_t row, Visit&& visit) {
     for (std::size_t i = row_start_[row]; i < row_start_[row + std::size_t{1}]; ++i) {
       const std::uint32_t position = position_[row_arcs_[i].arc];
-      if (position != kNone) visit(here.arcs[position], row_arcs_[i].coefficient);
+      if (position < here.arcs.size() && here.arcs[position].arc == row_arcs_[i].arc)
+        visit(here.arcs[position], row_arcs_[i].coefficient);
     }
   }
 
@@ -290,11 +292,10 @@ class SlackSearch {
     return std::any_of(uses.begin(), uses.end(), [&](const RowUse& use) { return use.row == row; });
   }
 
-  void list_choices(Node& here, std::uint32_t row) const {
+  void list_choices(Node& here, std::uint32_t row) {
     here.choices.clear();
-    for (const OpenArc& arc : here.arcs) {
-      if (is_in(arc.arc, row)) here.choices.push_back(arc);
-    }
+    for_each_open(
+        here, row, [&](const OpenArc& arc, std::uint32_t) { here.choices.push_back(arc); });
     std::sort(here.choices.begin(), here.choices.end(), [](const OpenArc& a, const OpenArc& b) {
       return a.reduced != b.reduced ? a.reduced < b.reduced : a.arc < b.arc;
     });
@@ -304,10 +305,11 @@ class SlackSearch {
   void take(const Node& here, std::uint32_t arc, Node& next) {
     for (const RowUse use : problem_.uses(arc)) place_[use.row] = use.coefficient;
     copy_if(here.arcs, next.arcs, [&](const OpenArc& other) {
-      const std::span<const RowUse> uses = problem_.uses(other.arc);
-      return std::none_of(uses.begin(), uses.end(), [&](const RowUse& use) {
-        return use.row < problem_.num_indices() && place_[use.row] != kNone;
-      });
+      for (const RowUse use : problem_.uses(other.arc)) {
+        if (use.row >= problem_.num_indices()) break;
+        if (place_[use.row] != kNone) return false;
+      }
+      return true;
     });
     copy_if(here.rows, next.rows, [](const OpenRow&) { return true; });
     for (OpenRow& row : next.rows) {
@@ -347,7 +349,7 @@ class SlackSearch {
   std::vector<std::uint32_t> count_;     // [row]: coefficients of the open arcs
   std::vector<double> least_;            // [row]: least reduced cost of an open arc
   std::vector<std::uint32_t> place_;     // [row]: coefficient of the arc being taken, else kNone
-  std::vector<std::uint32_t> position_;  // [arc]: in the node's list, while ascending
+  std::vector<std::uint32_t> position_;  // [arc]: where it was in the list counted last
   PartFinder parts_;
   int pause_ = 0;
   int pause_length_ = 0;

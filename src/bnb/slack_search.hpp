@@ -30,7 +30,7 @@ class SlackProblem {
 
   /// Indices first.  price >= 0, +inf = must be used up.  Returns its number.
   std::uint32_t add_row(double price, std::uint32_t capacity = 1);
-  /// reduced >= 0.  Returns its number.
+  /// reduced >= 0; uses of indices before those of cuts.  Returns its number.
   std::uint32_t add_arc(double reduced, std::span<const RowUse> uses);
 
   std::uint32_t num_indices() const { return num_indices_; }
@@ -63,6 +63,7 @@ struct SlackResult {
   std::vector<std::uint32_t> arcs;  ///< of that packing
   bool complete = false;            ///< none below the budget has less slack
   std::int64_t nodes = 0;
+  double work = 0;  ///< arcs looked at
 };
 
 /// The packing of least slack, if that is below `budget` or exceeds it by rounding only: depth

@@ -142,7 +142,8 @@ void add_relaxation(std::vector<OptionRow>& rows) {
       "relaxation.max_evaluations",
       [](auto& options) -> auto& { return options.relaxation.max_evaluations; },
       {1},
-      "evaluations of the dual function of each large component"));
+      "evaluations of the dual function of each large component (auto: at most 50 before a linear "
+      "program)"));
   rows.push_back(number<int>(
       "relaxation.recovery_evaluations",
       [](auto& options) -> auto& { return options.relaxation.recovery_evaluations; },

@@ -12,8 +12,10 @@ namespace {
 using core::ArcId;
 using core::Component;
 
-constexpr std::size_t kMostArcs = 20000;
 constexpr double kShrunk = 0.75;
+// A pivot of the simplex method takes as long as looking at so many arcs for every row.
+constexpr double kArcsPerPivotAndRow = 0.5;
+constexpr double kFirstShare = 0.125;  // of the gap
 
 // What a search needs to know of a solved master.
 class Translation {
@@ -105,28 +107,48 @@ core::Packing packing_of(const Component& component,
 
 }  // namespace
 
-bool LeafSearch::operator()(const Master& master, double& cutoff) {
+bool LeafSearch::is_worth_trying(const Master& master, double cutoff) const {
+  if (limits_.max_work == 0 || master.live().size() > kMostLeafArcs) return false;
   const double gap = cutoff - master.lower();
-  if (limits_.max_work == 0 || gap > kShrunk * failed_gap_ || master.live().size() > kMostArcs)
-    return false;
+  return gap <= kShrunk * failed_gap_ ||
+         master.lower() - failed_lower_ >= (1 - kShrunk) * failed_budget_ ||
+         credit_ >= 2 * failed_work_;
+}
+
+bool LeafSearch::operator()(const Master& master, double& cutoff) {
+  credit_ += limits_.max_work + kArcsPerPivotAndRow *
+                                    static_cast<double>(master.simplex_iterations() - pivots_) *
+                                    static_cast<double>(component_.num_slots());
+  pivots_ = master.simplex_iterations();
+  if (!is_worth_trying(master, cutoff)) return false;
   Translation translation(component_, master, cutoff);
   const bnb::SlackProblem problem = std::move(translation).problem();
+  const double gap = cutoff - translation.base();
   bnb::SlackLimits limits;
-  limits.max_work = limits_.max_work;
-  limits.max_nodes = limits_.max_nodes - nodes_;
   limits.deadline = limits_.deadline;
-  const bnb::SlackResult result = bnb::search_slack(problem, cutoff - translation.base(), limits);
-  nodes_ += result.nodes;
-  if (result.slack < kInfinity) {
-    const core::Packing packing = packing_of(component_, translation.arcs(), result.arcs);
-    if (packing.cost < cutoff) cutoff = offer_(master, &packing);
+  double budget = kFirstShare * gap;
+  for (double work = 0;; budget *= 2) {
+    budget = std::min(gap, budget);
+    limits.max_work = credit_ - work;
+    limits.max_nodes = limits_.max_nodes - nodes_;
+    const bnb::SlackResult result = bnb::search_slack(problem, budget, limits);
+    nodes_ += result.nodes;
+    work += result.work;
+    if (result.slack < kInfinity) {
+      const core::Packing packing = packing_of(component_, translation.arcs(), result.arcs);
+      if (packing.cost < cutoff) cutoff = offer_(master, &packing);
+    }
+    if (!result.complete) break;
+    if (result.slack == kInfinity && budget < gap) continue;
+    if (limits_.proof != nullptr) limits_.proof->search(master, translation.u(), cutoff);
+    return true;
   }
-  if (!result.complete) {
-    failed_gap_ = gap;
-    return false;
-  }
-  if (limits_.proof != nullptr) limits_.proof->search(master, translation.u(), cutoff);
-  return true;
+  failed_gap_ = gap;
+  failed_budget_ = budget;
+  failed_lower_ = master.lower();
+  failed_work_ = credit_;
+  credit_ = 0;
+  return false;
 }
 
 }  // namespace nda::cutting

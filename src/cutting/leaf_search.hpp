@@ -14,8 +14,11 @@ namespace nda::cutting {
 /// make one of; returns the cutoff from now on: only packings cheaper than it are looked for.
 using PackingOffer = std::function<double(const Master&, const core::Packing* packing)>;
 
+/// Components with more live arcs are not searched.
+inline constexpr std::size_t kMostLeafArcs = 20000;
+
 struct LeafLimits {
-  double max_work = 1e6;       ///< arcs that one search may look at: some 30 ms; 0 = none
+  double max_work = 1e6;       ///< arcs to look at for every call, some 30 ms; 0 = none
   std::int64_t max_nodes = 0;  ///< of all searches
   core::Deadline deadline;
   ProofLog* proof = nullptr;  ///< where to write searches down
@@ -23,7 +26,9 @@ struct LeafLimits {
 
 /// Ends a node of branch and cut by enumeration (bnb/slack_search.hpp) once its multipliers are
 /// good enough: what LP and cuts would take seconds to close, a search within the reduced costs
-/// they found often ends in milliseconds.  Tries again only when the gap has shrunk.
+/// they found often ends in milliseconds.  It needs no good packing to begin with: the budget is
+/// doubled until the best packing is within.  Tries again when a good part of what failed is gone,
+/// or when what it may look at, which adds up over calls and pivots, has doubled.
 class LeafSearch {
  public:
   LeafSearch(const core::Component& component, const LeafLimits& limits, const PackingOffer& offer)
@@ -37,10 +42,17 @@ class LeafSearch {
   std::int64_t nodes() const { return nodes_; }
 
  private:
+  bool is_worth_trying(const Master& master, double cutoff) const;
+
   const core::Component& component_;
   const LeafLimits limits_;
   const PackingOffer& offer_;
+  double credit_ = 0;  // arcs to look at
+  std::int64_t pivots_ = 0;
+  double failed_work_ = kInfinity;
   double failed_gap_ = kInfinity;
+  double failed_budget_ = kInfinity;
+  double failed_lower_ = kInfinity;
   std::int64_t nodes_ = 0;
 };
 

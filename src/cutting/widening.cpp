@@ -75,11 +75,18 @@ class Widening {
       raise(point.lower());
       return cutoff_ = observer_.offer(point, nullptr);
     };
-    const CutLoopEnd end = run_cut_loop(component_, master_, loop, round);
+    loop.max_rounds = 1;
+    CutLoopEnd end = run_cut_loop(component_, master_, loop, round);
+    if (end == CutLoopEnd::kStalled) {
+      loop.max_rounds = CutLoopOptions{}.max_rounds;
+      loop.cutoff = cutoff_ = observer_.improve(0);
+      end = run_cut_loop(component_, master_, loop, round);
+    }
     result_.nodes += leaf.nodes();
     if (end == CutLoopEnd::kProven || end == CutLoopEnd::kSearched) raise(cutoff_);
     exhaustive_ = end == CutLoopEnd::kSearched;
     if (limits_.proof != nullptr) proof_size_ = limits_.proof->size();
+    if (end == CutLoopEnd::kStalled || end == CutLoopEnd::kIntegral) cutoff_ = observer_.improve(1);
     return end != CutLoopEnd::kSearched && end != CutLoopEnd::kProven &&
            end != CutLoopEnd::kStopped;
   }

@@ -26,6 +26,10 @@ struct WideningObserver {
   /// A packing (arcs of the component), or null and a relaxed point to make one of.  Returns the
   /// cutoff from now on.
   std::function<double(const Master&, const core::Packing*)> offer;
+  /// Called with 0 when the first linear program and the search by its multipliers did not end it,
+  /// with 1 when all cuts did not: a chance to look for better packings.  Returns the cutoff from
+  /// now on.
+  std::function<double(int call)> improve;
   /// No packing is cheaper than `lower`.
   std::function<void(double lower)> raise;
 };

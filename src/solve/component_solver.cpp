@@ -7,6 +7,7 @@
 #include "bnb/branch_and_bound.hpp"
 #include "bnb/enumerate.hpp"
 #include "core/random.hpp"
+#include "cutting/leaf_search.hpp"
 #include "cutting/widening.hpp"
 #include "decompose/components.hpp"
 #include "decompose/reduced_cost_fixing.hpp"
@@ -34,6 +35,8 @@ constexpr int kWideEffort = 100;
 constexpr double kWideGap = 0.05;
 // Above this the linear program would be too large to be of use, and memory runs out.
 constexpr std::size_t kMostCuttingArcs = 2000000;
+// What more evaluations would find, a linear program finds sooner.
+constexpr int kEvaluationsBeforeLp = 50;
 // A rounded point is worth descending from when it misses the best by at most this share of the
 // gap.
 constexpr double kPromising = 0.25;
@@ -138,7 +141,17 @@ void ComponentSolver::start() {
             component_, state_.u, recovery::CoreSearchOptions{}.arcs_per_index, deadline_),
         "greedy");
   relax();
-  search(1);
+  if (is_large()) search(1);
+}
+
+// Too large for branch and cut to end it at once; otherwise better packings can wait.
+bool ComponentSolver::is_large() const {
+  std::size_t num_live = 0;
+  for (ArcId a = 0; a < component_.num_arcs(); ++a) {
+    const double r = core::reduced_cost(component_, state_.u, a);
+    num_live += state_.certificate + r < cutoff() ? 1 : 0;
+  }
+  return num_live > cutting::kMostLeafArcs;
 }
 
 void ComponentSolver::finish(double allowed_gap) {
@@ -150,8 +163,7 @@ void ComponentSolver::finish(double allowed_gap) {
 
 void ComponentSolver::close_gap(double allowed_gap) {
   if (close_enough(allowed_gap) || deadline_.reached()) return;
-  // With a gap that wide a proof is far away; better solutions are not.
-  if (state_.best.cost - state_.lower > kWideGap * std::abs(state_.best.cost)) search(kWideEffort);
+  if (is_large() || options_.method == Method::kExact) search_if_wide();
   if (options_.method != Method::kExact) branch_and_cut(allowed_gap);
   if (!close_enough(allowed_gap)) branch(allowed_gap);
 }
@@ -192,6 +204,11 @@ void ComponentSolver::branch_and_cut(double allowed_gap) {
     Packing packing = found != nullptr ? *found : round(core, point);
     for (ArcId& a : packing.arcs) a = live[a];
     offer(packing, "branch and cut");
+    return goal();
+  };
+  const bool large = live.size() > cutting::kMostLeafArcs;
+  observer.improve = [&](int call) {
+    if (!large) call == 0 ? search(1) : search_if_wide();
     return goal();
   };
   observer.raise = [&](double lower) { raise_bound(std::min(lower, goal()), "cuts"); };
@@ -257,7 +274,7 @@ void ComponentSolver::enumerate() {
 void ComponentSolver::relax() {
   state_.method = "relaxation";
   relax::LagrangianOptions loop = loop_options(component_);
-  loop.max_evaluations = options_.relaxation.max_evaluations;
+  loop.max_evaluations = max_evaluations();
   loop.recovery_interval =
       component_.num_dimensions() == 3 ? 1 : options_.relaxation.recovery_interval;
   loop.goal = cutoff();
@@ -271,6 +288,13 @@ void ComponentSolver::relax() {
     return packing;
   };
   accept_dual(relax::maximize_dual(component_, {}, loop, recover), "relaxation");
+}
+
+int ComponentSolver::max_evaluations() const {
+  const bool linear_program_follows =
+      options_.method == Method::kAuto && component_.num_arcs() <= kMostCuttingArcs;
+  const int most = options_.relaxation.max_evaluations;
+  return linear_program_follows ? std::min(most, kEvaluationsBeforeLp) : most;
 }
 
 void ComponentSolver::accept_dual(relax::LagrangianResult result, const char* event) {
@@ -296,6 +320,11 @@ void ComponentSolver::search(int effort) {
                               random,
                               deadline_),
         "local search");
+}
+
+// With a gap that wide a proof is far away; better solutions are not.
+void ComponentSolver::search_if_wide() {
+  if (state_.best.cost - state_.lower > kWideGap * std::abs(state_.best.cost)) search(kWideEffort);
 }
 
 void ComponentSolver::branch(double allowed_gap) {

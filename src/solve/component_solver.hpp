@@ -80,10 +80,13 @@ class ComponentSolver {
 
  private:
   relax::LagrangianOptions loop_options(const core::Component& component) const;
+  int max_evaluations() const;
   void solve_assignment();
   void enumerate();
   void relax();
   void search(int effort);
+  void search_if_wide();
+  bool is_large() const;
   void accept_dual(relax::LagrangianResult result, const char* event);
   void branch_and_cut(double allowed_gap);
   core::Packing round(const core::Component& core, const cutting::Master& point) const;
