@@ -16,7 +16,8 @@
 //   split    what falls apart is solved part by part, each within what the others left of the
 //            budget: a sum of searches where there was a product (Marinescu & Dechter 2009 call
 //            it AND/OR search).  Tracking problems fall apart after a few decisions;
-//   branch   on the row with the fewest uses: one of its arcs is used, or none.
+//   branch   on the row with the fewest uses, dear ones counting less: one of its arcs is used, or
+//            none.
 //
 // Rounding: sums of terms below the budget err by far less than kTolerance of it, so a budget that
 // much larger loses nothing.
@@ -28,6 +29,7 @@ constexpr std::uint32_t kNone = ~std::uint32_t{0};
 constexpr double kTolerance = 0x1p-36;
 constexpr double kStep = 0x1p-30;  // of the budget: a smaller ascent is not worth its time
 constexpr double kWorkBetweenLooks = 1 << 14;
+constexpr double kUseWidth = 1.5;
 constexpr int kLongestPause = 3;
 
 class SlackSearch {
@@ -38,6 +40,7 @@ class SlackSearch {
         least_step_(budget < kInfinity ? kStep * budget : 0),
         count_(problem.num_rows(), 0),
         least_(problem.num_rows(), 0),
+        sum_(problem.num_rows(), 0),
         place_(problem.num_rows(), kNone),
         position_(problem.num_arcs(), 0),
         parts_(problem) {
@@ -169,6 +172,7 @@ class SlackSearch {
     for (const OpenRow& row : here.rows) {
       count_[row.row] = 0;
       least_[row.row] = kInfinity;
+      sum_[row.row] = 0;
     }
     const std::size_t before = here.arcs.size();
     std::erase_if(here.arcs, [&](const OpenArc& arc) { return !(arc.reduced < left); });
@@ -179,6 +183,7 @@ class SlackSearch {
       for (const RowUse use : problem_.uses(arc.arc)) {
         count_[use.row] += use.coefficient;
         least_[use.row] = std::min(least_[use.row], arc.reduced);
+        sum_[use.row] += arc.reduced;
       }
     }
   }
@@ -279,12 +284,21 @@ class SlackSearch {
     return count_[row.row] + (row.left * row.price < budget ? 1 : 0);
   }
 
-  // The row with the fewest uses.
+  // The row with the fewest uses, dear ones counting less: below them not much will be left.
   OpenRow narrowest(const Node& here, double budget) const {
-    return *std::min_element(
-        here.rows.begin(), here.rows.end(), [&](const OpenRow& a, const OpenRow& b) {
-          return num_uses(a, budget) < num_uses(b, budget);
-        });
+    const auto width = [&](const OpenRow& row) {
+      const double costs = sum_[row.row] + std::min(budget, row.left * row.price);
+      return kUseWidth * num_uses(row, budget) - costs / budget;
+    };
+    OpenRow best = here.rows.front();
+    double least = width(best);
+    for (const OpenRow& row : here.rows) {
+      const double here_width = num_uses(row, budget) <= 1 ? 0 : width(row);
+      if (here_width >= least) continue;
+      least = here_width;
+      best = row;
+    }
+    return best;
   }
 
   bool is_in(std::uint32_t arc, std::uint32_t row) const {
@@ -348,6 +362,7 @@ class SlackSearch {
   std::vector<ArcUse> row_arcs_;         // by row
   std::vector<std::uint32_t> count_;     // [row]: coefficients of the open arcs
   std::vector<double> least_;            // [row]: least reduced cost of an open arc
+  std::vector<double> sum_;              // [row]: of the reduced costs of the open arcs
   std::vector<std::uint32_t> place_;     // [row]: coefficient of the arc being taken, else kNone
   std::vector<std::uint32_t> position_;  // [arc]: where it was in the list counted last
   PartFinder parts_;

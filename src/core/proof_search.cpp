@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 // The checker's own search.  It reckons in integers: units so small that the budget is 2^48 of
 // them, every cost rounded down.  So nothing is rounded on the way, and the sum of what was lost is
@@ -19,6 +20,7 @@ namespace {
 using Units = std::int64_t;
 
 constexpr int kBudgetExponent = 48;
+constexpr double kChoiceWidth = 1.5;
 constexpr std::uint32_t kMostCapacity = 255;
 constexpr std::uint32_t kUnlabelled = std::numeric_limits<std::uint32_t>::max();
 
@@ -48,6 +50,7 @@ class ProofSearch {
         limit_(static_cast<Units>(std::ceil(budget / unit_))),
         arcs_of_(task.rows.size()),
         filled_(task.rows.size(), 0),
+        cost_(task.rows.size(), 0),
         marked_(task.rows.size(), 0),
         label_(task.rows.size(), 0),
         where_(task.rise.size(), kUnlabelled) {}
@@ -119,9 +122,12 @@ class ProofSearch {
   }
 
   void fill(const State& state) {
-    for (const Row& row : state.rows) filled_[row.id] = 0;
+    for (const Row& row : state.rows) cost_[row.id] = filled_[row.id] = 0;
     for (const Arc& arc : state.arcs) {
-      for (const SearchEntry entry : task_.entries[arc.id]) filled_[entry.row] += entry.coefficient;
+      for (const SearchEntry entry : task_.entries[arc.id]) {
+        filled_[entry.row] += entry.coefficient;
+        cost_[entry.row] += static_cast<double>(arc.rise);
+      }
     }
   }
 
@@ -169,15 +175,19 @@ class ProofSearch {
     }
   }
 
+  // The row with the fewest choices, dear ones counting less.
   Row tightest(const State& state, Units limit) const {
-    const auto choices = [&](const Row& row) {
-      return filled_[row.id] + (row.left * row.price < limit ? 1 : 0);
+    const auto budget = static_cast<double>(limit);
+    const auto width = [&](const Row& row) {
+      const bool may_leave = row.left * row.price < limit;
+      const double choices = static_cast<double>(filled_[row.id]) + (may_leave ? 1 : 0);
+      const double leaving = std::min(budget, static_cast<double>(row.left * row.price));
+      return choices <= 1 ? 0 : kChoiceWidth * choices - (cost_[row.id] + leaving) / budget;
     };
-    Row best = state.rows.front();
-    for (const Row& row : state.rows) {
-      if (choices(row) < choices(best)) best = row;
-    }
-    return best;
+    std::pair<double, std::size_t> best = {width(state.rows[0]), 0};
+    for (std::size_t i = 1; i < state.rows.size(); ++i)
+      best = std::min(best, {width(state.rows[i]), i});
+    return state.rows[best.second];
   }
 
   bool uses(std::uint32_t arc, std::uint32_t row) const {
@@ -287,6 +297,7 @@ class ProofSearch {
   const Units limit_;
   std::vector<std::vector<Member>> arcs_of_;  // by row
   std::vector<std::uint32_t> filled_;         // by row: coefficients of the arcs left
+  std::vector<double> cost_;                  // by row: sum of the costs of the arcs left
   std::vector<std::uint32_t> marked_;         // by row, 0 between uses
   std::vector<std::uint32_t> label_;          // by row: its part
   std::vector<std::uint32_t> where_;  // by arc: its position in a list, while that is of use
