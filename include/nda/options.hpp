@@ -45,8 +45,8 @@ struct RelaxationOptions {
 
 /// Search for good solutions besides the recovery.
 struct SearchOptions {
-  bool local_search = true;  ///< iterated local search after the relaxation
-  int kicks_per_index = 50;  ///< its length: random moves per index of the component; >= 0
+  bool local_search = true;  ///< local search and neighbourhood search where bounds do not end it
+  int kicks_per_index = 2;   ///< of local search: random moves per index of the component; >= 0
 };
 
 /// Branch and bound.

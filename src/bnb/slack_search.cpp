@@ -28,7 +28,7 @@ namespace {
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
 constexpr double kTolerance = 0x1p-36;
 constexpr double kStep = 0x1p-30;  // of the budget: a smaller ascent is not worth its time
-constexpr double kWorkBetweenLooks = 1 << 14;
+constexpr double kWorkBetweenLooks = 1 << 17;
 constexpr double kUseWidth = 1.5;
 constexpr int kLongestPause = 3;
 
@@ -96,7 +96,6 @@ class SlackSearch {
   }
 
   bool is_stopped(const Node& here) {
-    work_ += static_cast<double>(here.arcs.size());
     if (nodes_ >= limits_.max_nodes || work_ > limits_.max_work) return stopped_ = true;
     ++nodes_;
     if (work_ - work_at_look_ > kWorkBetweenLooks) {
@@ -177,8 +176,10 @@ class SlackSearch {
     const std::size_t before = here.arcs.size();
     std::erase_if(here.arcs, [&](const OpenArc& arc) { return !(arc.reduced < left); });
     here.may_split = here.may_split || here.arcs.size() < before;
+    std::size_t work = here.rows.size();
     for (std::uint32_t i = 0; i < here.arcs.size(); ++i) {
       const OpenArc arc = here.arcs[i];
+      work += problem_.uses(arc.arc).size();
       position_[arc.arc] = i;
       for (const RowUse use : problem_.uses(arc.arc)) {
         count_[use.row] += use.coefficient;
@@ -186,6 +187,7 @@ class SlackSearch {
         sum_[use.row] += arc.reduced;
       }
     }
+    work_ += static_cast<double>(work);
   }
 
   // Lowers prices and reduced costs by what every use of a row costs.

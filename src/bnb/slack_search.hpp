@@ -54,7 +54,7 @@ class SlackProblem {
 
 struct SlackLimits {
   std::int64_t max_nodes = std::int64_t{1} << 60;
-  double max_work = kInfinity;  ///< arcs looked at, counted once a node
+  double max_work = kInfinity;  ///< rows, and arcs times their rows, looked at; counted once a node
   core::Deadline deadline;
 };
 
@@ -63,7 +63,7 @@ struct SlackResult {
   std::vector<std::uint32_t> arcs;  ///< of that packing
   bool complete = false;            ///< none below the budget has less slack
   std::int64_t nodes = 0;
-  double work = 0;  ///< arcs looked at
+  double work = 0;  ///< as limited
 };
 
 /// The packing of least slack, if that is below `budget` or exceeds it by rounding only: depth

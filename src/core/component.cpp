@@ -85,11 +85,12 @@ std::vector<ArcId> arcs_from_original(const Component& component, std::vector<Ar
   return originals;
 }
 
-std::vector<double> restrict_slots(const Component& whole,
-                                   std::span<const double> values,
-                                   const Component& part) {
-  // Both list the origins of a dimension in ascending order: walk them side by side.
-  std::vector<double> restricted(part.num_slots(), 0.0);
+namespace {
+
+// Calls visit(slot of the whole, slot of the part) for every real index of a part.  Both list the
+// origins of a dimension in ascending order: walk them side by side.
+template <typename Visit>
+void for_each_shared_slot(const Component& whole, const Component& part, Visit&& visit) {
   std::size_t k = 0;
   for (std::size_t p = 0; p < part.sizes.size(); ++p) {
     while (whole.dimensions[k] != part.dimensions[p]) ++k;
@@ -98,10 +99,30 @@ std::vector<double> restrict_slots(const Component& whole,
       const std::uint32_t wanted = part.offset[p] + i;
       do ++slot;
       while (whole.origin[slot] != part.origin[wanted]);
-      restricted[wanted] = values[slot];
+      visit(slot, wanted);
     }
   }
+}
+
+}  // namespace
+
+std::vector<double> restrict_slots(const Component& whole,
+                                   std::span<const double> values,
+                                   const Component& part) {
+  std::vector<double> restricted(part.num_slots(), 0.0);
+  for_each_shared_slot(whole, part, [&](std::uint32_t slot, std::uint32_t part_slot) {
+    restricted[part_slot] = values[slot];
+  });
   return restricted;
+}
+
+void extend_slots(const Component& part,
+                  std::span<const double> values,
+                  const Component& whole,
+                  std::span<double> extended) {
+  for_each_shared_slot(whole, part, [&](std::uint32_t slot, std::uint32_t part_slot) {
+    extended[slot] = values[part_slot];
+  });
 }
 
 // Numbers the slots that the arcs use 1 and lists them.

@@ -128,6 +128,13 @@ std::vector<double> restrict_slots(const Component& whole,
                                    std::span<const double> values,
                                    const Component& part);
 
+/// The inverse: writes values by slot of `part` to the same slots of `whole`, where others keep
+/// theirs.
+void extend_slots(const Component& part,
+                  std::span<const double> values,
+                  const Component& whole,
+                  std::span<double> extended);
+
 /// c'[a] - sum of u over the slots of a.
 inline double reduced_cost(const Component& component, std::span<const double> u, ArcId a) {
   double r = component.costs[a];

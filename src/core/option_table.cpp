@@ -166,12 +166,12 @@ void add_search_and_branch(std::vector<OptionRow>& rows) {
       "search.local_search",
       [](auto& options) -> auto& { return options.search.local_search; },
       {"false", "true"},
-      "iterated local search after the relaxation"));
+      "local search and neighbourhood search where bounds do not end it"));
   rows.push_back(number<int>(
       "search.kicks_per_index",
       [](auto& options) -> auto& { return options.search.kicks_per_index; },
       {},
-      "its length: random moves per index of the component"));
+      "of local search: random moves per index of the component"));
   rows.push_back(number<std::size_t>(
       "branch.exact_arcs",
       [](auto& options) -> auto& { return options.branch.exact_arcs; },

@@ -17,6 +17,7 @@ constexpr double kIntegral = 1e-6;
 constexpr std::size_t kCandidates = 8;
 constexpr int kTrialIterations = 60;
 constexpr double kWorthwhile = 0.03;
+constexpr int kLongestPause = 31;
 
 }  // namespace
 
@@ -85,14 +86,21 @@ CutLoopEnd BranchAndCut::tighten(int depth) {
     return cutoff_ = offer_(master, packing);
   };
   LeafSearch leaf(component_, leaf_limits(), offer);
-  loop.leaf = &leaf;
+  if (depth == 0 || --leaf_pause_ < 0) loop.leaf = &leaf;
   const auto round = [&](const Master& master) {
     if (depth == 0) offer(master, nullptr);
     return cutoff_;
   };
   const CutLoopEnd end = run_cut_loop(component_, master_, loop, round);
   search_nodes_ += leaf.nodes();
+  if (leaf.nodes() > 0) rest_from_searching(end == CutLoopEnd::kSearched);
   return end;
+}
+
+// Less often where it keeps failing.
+void BranchAndCut::rest_from_searching(bool success) {
+  leaf_pause_length_ = success ? 0 : std::min(2 * leaf_pause_length_ + 1, kLongestPause);
+  leaf_pause_ = leaf_pause_length_;
 }
 
 LeafLimits BranchAndCut::leaf_limits() const {

@@ -62,6 +62,7 @@ class BranchAndCut {
   double explore(int depth, double inherited);
   CutLoopEnd tighten(int depth);
   LeafLimits leaf_limits() const;
+  void rest_from_searching(bool success);
   double close(double lower);
   bool integral() const;
   core::Packing packing() const;
@@ -83,6 +84,8 @@ class BranchAndCut {
   PackingOffer offer_;
   std::int64_t tree_nodes_ = 0;
   std::int64_t search_nodes_ = 0;
+  int leaf_pause_ = 0;  // nodes that are not searched
+  int leaf_pause_length_ = 0;
   bool exhaustive_ = true;
 };
 

@@ -112,6 +112,7 @@ CutLoopEnd run_cut_loop(const core::Component& component,
       if (!look_harder()) return CutLoopEnd::kStalled;
       cuts = separate(separator, stage, kThorough);
     }
+    if (options.leaf != nullptr) options.leaf->earn(separator.work());
     keep_best(cuts, std::max(kLeastCuts, component.num_indices() / 5));
     for (const ViolatedCut& violated : cuts) master.add(violated.cut);
   }

@@ -12,36 +12,45 @@ namespace {
 using core::ArcId;
 using core::Component;
 
+constexpr std::uint32_t kNone = ~std::uint32_t{0};
 constexpr double kShrunk = 0.75;
-// A pivot of the simplex method takes as long as looking at so many arcs for every row.
-constexpr double kArcsPerPivotAndRow = 0.5;
 constexpr double kFirstShare = 0.125;  // of the gap
 
-// What a search needs to know of a solved master.
+// A solved master in the terms of the search.
 class Translation {
  public:
-  Translation(const Component& component, const Master& master, double cutoff)
+  Translation(const Component& component, const Master& master)
       : component_(component), master_(master), u_(master.u().begin(), master.u().end()) {
     make_feasible();
-    for (const ArcId a : master.live()) {
-      if (is_allowed(a) && base_ + reduced(a) < cutoff) arcs_.push_back(a);
-    }
-    add_rows();
   }
 
   double base() const { return base_; }
   std::span<const double> u() const { return u_; }
-  const std::vector<ArcId>& arcs() const { return arcs_; }
 
-  bnb::SlackProblem problem() && {
-    std::vector<bnb::RowUse> uses;
-    for (const ArcId a : arcs_) {
-      uses.clear();
-      core::for_each_slot(component_, a, [&](std::uint32_t slot) { uses.push_back({slot, 1}); });
-      uses.insert(uses.end(), of_cuts_[a].begin(), of_cuts_[a].end());
-      problem_.add_arc(std::max(0.0, reduced(a)), uses);
+  /// The arcs that the budget pays for, and the search among them.
+  std::vector<ArcId> affordable(double budget) const {
+    std::vector<ArcId> arcs;
+    for (const ArcId a : master_.live()) {
+      if (is_allowed(a) && reduced(a) < budget) arcs.push_back(a);
     }
-    return std::move(problem_);
+    return arcs;
+  }
+
+  bnb::SlackProblem problem(const std::vector<ArcId>& arcs) const {
+    bnb::SlackProblem problem(static_cast<std::uint32_t>(component_.num_slots()));
+    for (std::uint32_t slot = 0; slot < u_.size(); ++slot)
+      problem.add_row(master_.forced(slot) ? kInfinity : std::max(0.0, -u_[slot]));
+    const std::vector<std::vector<bnb::RowUse>> of_cuts = add_cuts(arcs, problem);
+    std::vector<bnb::RowUse> uses;
+    for (std::size_t n = 0; n < arcs.size(); ++n) {
+      uses.clear();
+      core::for_each_slot(component_, arcs[n], [&](std::uint32_t slot) {
+        uses.push_back({slot, 1});
+      });
+      uses.insert(uses.end(), of_cuts[n].begin(), of_cuts[n].end());
+      problem.add_arc(std::max(0.0, reduced(arcs[n])), uses);
+    }
+    return problem;
   }
 
  private:
@@ -74,25 +83,29 @@ class Translation {
     base_ = base.high();
   }
 
-  void add_rows() {
-    for (std::uint32_t slot = 0; slot < u_.size(); ++slot)
-      problem_.add_row(master_.forced(slot) ? kInfinity : std::max(0.0, -u_[slot]));
+  // A row for every cut that has a price; returns its uses by arc.
+  std::vector<std::vector<bnb::RowUse>> add_cuts(const std::vector<ArcId>& arcs,
+                                                 bnb::SlackProblem& problem) const {
+    std::vector<std::vector<bnb::RowUse>> of_cuts(arcs.size());
+    std::vector<std::uint32_t> number(component_.num_arcs(), kNone);
+    for (std::uint32_t n = 0; n < arcs.size(); ++n) number[arcs[n]] = n;
     for (const CutRow& row : master_.cuts()) {
       if (row.multiplier == 0) continue;
-      const std::uint32_t number =
-          problem_.add_row(-row.multiplier, static_cast<std::uint32_t>(row.cut.right_side()));
-      for (const CutEntry& entry : row.entries)
-        of_cuts_[entry.arc].push_back({number, static_cast<std::uint32_t>(entry.coefficient)});
+      const std::uint32_t cut =
+          problem.add_row(-row.multiplier, static_cast<std::uint32_t>(row.cut.right_side()));
+      for (const CutEntry& entry : row.entries) {
+        if (number[entry.arc] != kNone)
+          of_cuts[number[entry.arc]].push_back(
+              {cut, static_cast<std::uint32_t>(entry.coefficient)});
+      }
     }
+    return of_cuts;
   }
 
   const Component& component_;
   const Master& master_;
   std::vector<double> u_;
   double base_ = 0;
-  std::vector<ArcId> arcs_;
-  std::vector<std::vector<bnb::RowUse>> of_cuts_{component_.num_arcs()};
-  bnb::SlackProblem problem_{static_cast<std::uint32_t>(component_.num_slots())};
 };
 
 core::Packing packing_of(const Component& component,
@@ -116,13 +129,11 @@ bool LeafSearch::is_worth_trying(const Master& master, double cutoff) const {
 }
 
 bool LeafSearch::operator()(const Master& master, double& cutoff) {
-  credit_ += limits_.max_work + kArcsPerPivotAndRow *
-                                    static_cast<double>(master.simplex_iterations() - pivots_) *
-                                    static_cast<double>(component_.num_slots());
+  credit_ += limits_.max_work +
+             work_of_pivots(master.simplex_iterations() - pivots_, component_.num_slots());
   pivots_ = master.simplex_iterations();
   if (!is_worth_trying(master, cutoff)) return false;
-  Translation translation(component_, master, cutoff);
-  const bnb::SlackProblem problem = std::move(translation).problem();
+  const Translation translation(component_, master);
   const double gap = cutoff - translation.base();
   bnb::SlackLimits limits;
   limits.deadline = limits_.deadline;
@@ -131,11 +142,12 @@ bool LeafSearch::operator()(const Master& master, double& cutoff) {
     budget = std::min(gap, budget);
     limits.max_work = credit_ - work;
     limits.max_nodes = limits_.max_nodes - nodes_;
-    const bnb::SlackResult result = bnb::search_slack(problem, budget, limits);
+    const std::vector<ArcId> arcs = translation.affordable(budget);
+    const bnb::SlackResult result = bnb::search_slack(translation.problem(arcs), budget, limits);
     nodes_ += result.nodes;
     work += result.work;
     if (result.slack < kInfinity) {
-      const core::Packing packing = packing_of(component_, translation.arcs(), result.arcs);
+      const core::Packing packing = packing_of(component_, arcs, result.arcs);
       if (packing.cost < cutoff) cutoff = offer_(master, &packing);
     }
     if (!result.complete) break;

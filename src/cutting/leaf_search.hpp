@@ -15,7 +15,12 @@ namespace nda::cutting {
 using PackingOffer = std::function<double(const Master&, const core::Packing* packing)>;
 
 /// Components with more live arcs are not searched.
-inline constexpr std::size_t kMostLeafArcs = 20000;
+inline constexpr std::size_t kMostLeafArcs = 200000;
+
+/// Pivots of the simplex method as work of a search (bnb::SlackLimits): what takes as long.
+inline double work_of_pivots(std::int64_t pivots, std::size_t num_rows) {
+  return static_cast<double>(pivots) * (2000 + 2 * static_cast<double>(num_rows));
+}
 
 struct LeafLimits {
   double max_work = 1e6;       ///< arcs to look at for every call, some 30 ms; 0 = none
@@ -28,7 +33,7 @@ struct LeafLimits {
 /// good enough: what LP and cuts would take seconds to close, a search within the reduced costs
 /// they found often ends in milliseconds.  It needs no good packing to begin with: the budget is
 /// doubled until the best packing is within.  Tries again when a good part of what failed is gone,
-/// or when what it may look at, which adds up over calls and pivots, has doubled.
+/// or when what it may do, which adds up over calls, pivots and separation, has doubled.
 class LeafSearch {
  public:
   LeafSearch(const core::Component& component, const LeafLimits& limits, const PackingOffer& offer)
@@ -39,6 +44,9 @@ class LeafSearch {
   /// any more; false also where the search took too long.
   bool operator()(const Master& master, double& cutoff);
 
+  /// Other work that was done on the node: the next search may take as long.
+  void earn(double work) { credit_ += work; }
+
   std::int64_t nodes() const { return nodes_; }
 
  private:
@@ -47,7 +55,7 @@ class LeafSearch {
   const core::Component& component_;
   const LeafLimits limits_;
   const PackingOffer& offer_;
-  double credit_ = 0;  // arcs to look at
+  double credit_ = 0;  // work that a search may do
   std::int64_t pivots_ = 0;
   double failed_work_ = kInfinity;
   double failed_gap_ = kInfinity;

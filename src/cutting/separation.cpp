@@ -175,6 +175,7 @@ std::uint32_t Separator::best_row(std::size_t position, std::uint32_t held, doub
     for (const std::uint32_t a : arcs_of(member)) {
       if (seen_[a] == stamp_) continue;
       seen_[a] = stamp_;
+      work_ += static_cast<double>(rows_of(a).size());
       const double gain = value_[a] * gain_[position][static_cast<std::size_t>(arc_weight_[a])];
       for (const std::uint32_t row : rows_of(a)) {
         if (score_[row] == 0) scored_.push_back(row);

@@ -45,6 +45,8 @@ class Separator {
   /// No arc is fractional.
   bool integral() const { return value_.empty(); }
   std::size_t num_rows() const { return slot_of_row_.size(); }
+  /// Arcs times their rows that search() looked at so far.
+  double work() const { return work_; }
 
   /// All cuts over three indices violated by more than `least`, found by enumerating the triangles
   /// of rows that share fractional arcs.  Stops at the deadline.
@@ -95,6 +97,7 @@ class Separator {
   std::vector<std::uint32_t> seen_;  // [arc]
   std::vector<double> score_;        // [row], 0 between steps
   std::vector<std::uint32_t> scored_;
+  double work_ = 0;
   core::Random random_{1};
 };
 

@@ -1,6 +1,7 @@
 #include "cutting/widening.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "cutting/branch_and_cut.hpp"
@@ -19,6 +20,9 @@ constexpr double kFirstReach = 0.125;  // of the gap
 constexpr double kWidenFast = 2;
 constexpr double kWidenSlowly = 1.5;
 constexpr std::int64_t kFewNodes = 15;
+constexpr double kPrimalShare = 0.25;
+// Rounds of cuts before the first, the second call for better packings, and after that.
+constexpr std::array<int, 3> kRounds = {1, 30, 200};
 
 std::vector<ArcId> all_arcs(const core::Component& component) {
   std::vector<ArcId> arcs(component.num_arcs());
@@ -42,8 +46,10 @@ class Widening {
   WideningResult run() {
     if (limits_.max_nodes > 0 && tighten()) {
       double reach = kFirstReach * (cutoff_ - master_.lower());
-      while (search(master_.lower() + reach))
+      while (search(master_.lower() + reach)) {
         reach *= last_tree_nodes_ < kFewNodes ? kWidenFast : kWidenSlowly;
+        improve();
+      }
     }
     result_.complete = result_.lower >= cutoff_;
     if (limits_.proof != nullptr && !exhaustive_) {
@@ -75,18 +81,16 @@ class Widening {
       raise(point.lower());
       return cutoff_ = observer_.offer(point, nullptr);
     };
-    loop.max_rounds = 1;
-    CutLoopEnd end = run_cut_loop(component_, master_, loop, round);
-    if (end == CutLoopEnd::kStalled) {
-      loop.max_rounds = CutLoopOptions{}.max_rounds;
-      loop.cutoff = cutoff_ = observer_.improve(0);
+    CutLoopEnd end = CutLoopEnd::kStalled;
+    for (std::size_t call = 0; call < kRounds.size() && end == CutLoopEnd::kStalled; ++call) {
+      if (call > 0) loop.cutoff = improve();
+      loop.max_rounds = kRounds[call];
       end = run_cut_loop(component_, master_, loop, round);
     }
     result_.nodes += leaf.nodes();
     if (end == CutLoopEnd::kProven || end == CutLoopEnd::kSearched) raise(cutoff_);
     exhaustive_ = end == CutLoopEnd::kSearched;
     if (limits_.proof != nullptr) proof_size_ = limits_.proof->size();
-    if (end == CutLoopEnd::kStalled || end == CutLoopEnd::kIntegral) cutoff_ = observer_.improve(1);
     return end != CutLoopEnd::kSearched && end != CutLoopEnd::kProven &&
            end != CutLoopEnd::kStopped;
   }
@@ -117,9 +121,19 @@ class Widening {
     const BranchAndCutResult found = tree.run();
     result_.nodes += found.nodes;
     last_tree_nodes_ = found.tree_nodes;
+    circle_pivots_ += circle.simplex_iterations();
     exhaustive_ = found.exhaustive && target >= cutoff_;
     raise(std::min({found.lower, target, cutoff_}));
     return found.complete && result_.lower < cutoff_;
+  }
+
+  // Better packings get a share of the time that bounds got.
+  double improve() {
+    const std::int64_t pivots = master_.simplex_iterations() + circle_pivots_;
+    const double work =
+        kPrimalShare * work_of_pivots(pivots - pivots_at_improve_, component_.num_slots());
+    pivots_at_improve_ = pivots;
+    return cutoff_ = observer_.improve(master_, work);
   }
 
   void raise(double lower) {
@@ -136,6 +150,8 @@ class Widening {
   std::size_t proof_size_;   // before the circles
   bool exhaustive_ = false;  // the last circle holds all, and its tree was searched to the end
   std::int64_t last_tree_nodes_ = 0;
+  std::int64_t circle_pivots_ = 0;  // of all circles
+  std::int64_t pivots_at_improve_ = 0;
   WideningResult result_;
 };
 

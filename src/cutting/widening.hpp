@@ -26,10 +26,11 @@ struct WideningObserver {
   /// A packing (arcs of the component), or null and a relaxed point to make one of.  Returns the
   /// cutoff from now on.
   std::function<double(const Master&, const core::Packing*)> offer;
-  /// Called with 0 when the first linear program and the search by its multipliers did not end it,
-  /// with 1 when all cuts did not: a chance to look for better packings.  Returns the cutoff from
-  /// now on.
-  std::function<double(int call)> improve;
+  /// A chance to look for better packings: when the first linear program and the search by its
+  /// multipliers did not end it, when many rounds of cuts did not, and after every circle.  The
+  /// first point has multipliers of indices only.  `work` (bnb::SlackLimits) is a share of what was
+  /// done since the last call.  Returns the cutoff from now on.
+  std::function<double(const Master& point, double work)> improve;
   /// No packing is cheaper than `lower`.
   std::function<void(double lower)> raise;
 };

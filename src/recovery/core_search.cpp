@@ -5,6 +5,7 @@
 #include "core/slices.hpp"
 #include "recovery/greedy.hpp"
 #include "recovery/local_search.hpp"
+#include "recovery/neighbourhood_search.hpp"
 
 // Good packings live where reduced costs are small.  Cutting the few promising arcs out first makes
 // every move of the local search independent of the size of the component: lists are short and
@@ -107,6 +108,9 @@ Packing search_core(const Component& component,
   const std::int64_t kicks =
       std::int64_t{options.kicks_per_index} * static_cast<std::int64_t>(size);
   LocalSearch(core, core_u, deadline).improve(packing, kicks, options.goal, random, deadline);
+  if (options.neighbourhood_work > 0)
+    NeighbourhoodSearch(core, core_u, deadline)
+        .improve(packing, options.neighbourhood_work, options.goal, random, deadline);
   if (packing.cost >= start.cost) return start;
   for (ArcId& a : packing.arcs) a = arcs[a];
   return packing;

@@ -27,7 +27,7 @@ LocalSearch::LocalSearch(const core::Component& component,
                          std::span<const double> u,
                          const core::Deadline& deadline)
     : component_(component),
-      slot_arcs_(component, deadline),
+      slot_arcs_(component, component.costs, deadline),
       arc_slots_(component),
       state_(component),
       reduced_(component.num_arcs()),

@@ -11,14 +11,15 @@ using core::ArcId;
 using core::Component;
 using core::for_each_slot;
 
-SlotArcs::SlotArcs(const Component& component, const core::Deadline& deadline)
+SlotArcs::SlotArcs(const Component& component,
+                   std::span<const double> costs,
+                   const core::Deadline& deadline)
     : start_(component.num_slots() + 1, 0) {
   const std::size_t num_arcs = component.num_arcs();
   std::vector<ArcId> order(num_arcs);
   std::iota(order.begin(), order.end(), 0u);
   core::sort_until(deadline, order, [&](ArcId a, ArcId b) {
-    return component.costs[a] != component.costs[b] ? component.costs[a] < component.costs[b]
-                                                    : a < b;
+    return costs[a] != costs[b] ? costs[a] < costs[b] : a < b;
   });
   for (ArcId a = 0; a < num_arcs; ++a) {
     for_each_slot(component, a, [&](std::uint32_t slot) { ++start_[slot + 1]; });

@@ -9,11 +9,13 @@
 
 namespace nda::recovery {
 
-/// For every slot its arcs, cheapest first (in any order where the deadline strikes).  4 bytes per
-/// (arc, real index).
+/// For every slot its arcs, cheapest first by costs of any kind (in any order where the deadline
+/// strikes).  4 bytes per (arc, real index).
 class SlotArcs {
  public:
-  explicit SlotArcs(const core::Component& component, const core::Deadline& deadline = {});
+  SlotArcs(const core::Component& component,
+           std::span<const double> costs,
+           const core::Deadline& deadline = {});
 
   std::span<const core::ArcId> operator[](std::uint32_t slot) const {
     return std::span(arcs_).subspan(start_[slot], start_[slot + 1] - start_[slot]);

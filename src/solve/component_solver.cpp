@@ -30,12 +30,15 @@ using core::Packing;
 
 constexpr std::int64_t kEnumerationNodes = 200000;
 constexpr int kFeasibleSweeps = 3;
-// The search of the second round is so many times longer than that of the first.
-constexpr int kWideEffort = 100;
+// Work of neighbourhood search: at first, for every index, and where the gap is wide.
+constexpr double kFirstWork = 2e6;
+constexpr double kFirstWorkPerIndex = 2000;
+constexpr double kWideWork = 2e8;
 constexpr double kWideGap = 0.05;
 // Above this the linear program would be too large to be of use, and memory runs out.
 constexpr std::size_t kMostCuttingArcs = 2000000;
-// What more evaluations would find, a linear program finds sooner.
+// What more evaluations and recoveries would find, a linear program and a search by its multipliers
+// find sooner.
 constexpr int kEvaluationsBeforeLp = 50;
 // A rounded point is worth descending from when it misses the best by at most this share of the
 // gap.
@@ -141,7 +144,7 @@ void ComponentSolver::start() {
             component_, state_.u, recovery::CoreSearchOptions{}.arcs_per_index, deadline_),
         "greedy");
   relax();
-  if (is_large()) search(1);
+  if (is_large()) search(first_work());
 }
 
 // Too large for branch and cut to end it at once; otherwise better packings can wait.
@@ -163,7 +166,7 @@ void ComponentSolver::finish(double allowed_gap) {
 
 void ComponentSolver::close_gap(double allowed_gap) {
   if (close_enough(allowed_gap) || deadline_.reached()) return;
-  if (is_large() || options_.method == Method::kExact) search_if_wide();
+  if (options_.method == Method::kExact && is_wide()) search(kWideWork);
   if (options_.method != Method::kExact) branch_and_cut(allowed_gap);
   if (!close_enough(allowed_gap)) branch(allowed_gap);
 }
@@ -206,13 +209,23 @@ void ComponentSolver::branch_and_cut(double allowed_gap) {
     offer(packing, "branch and cut");
     return goal();
   };
-  const bool large = live.size() > cutting::kMostLeafArcs;
-  observer.improve = [&](int call) {
-    if (!large) call == 0 ? search(1) : search_if_wide();
+  observer.improve = [&](const cutting::Master& point, double work) {
+    improve(core, point, work);
     return goal();
   };
   observer.raise = [&](double lower) { raise_bound(std::min(lower, goal()), "cuts"); };
   state_.nodes += cutting::search_widening(core, u, limits, observer).nodes;
+}
+
+// Those of a linear program prove more than those of the relaxation.
+void ComponentSolver::adopt_multipliers(const Component& core, std::span<const double> core_u) {
+  std::vector<double> u = state_.u;
+  core::extend_slots(core, core_u, component_, u);
+  const double certificate = relax::make_feasible(component_, u, deadline_);
+  if (certificate <= state_.certificate) return;
+  state_.u = std::move(u);
+  state_.certificate = certificate;
+  raise_bound(certificate, "linear program");
 }
 
 // Where branch and cut did not write down its steps, the multipliers prove the bound, or a search
@@ -274,9 +287,13 @@ void ComponentSolver::enumerate() {
 void ComponentSolver::relax() {
   state_.method = "relaxation";
   relax::LagrangianOptions loop = loop_options(component_);
-  loop.max_evaluations = max_evaluations();
+  loop.max_evaluations = options_.relaxation.max_evaluations;
   loop.recovery_interval =
       component_.num_dimensions() == 3 ? 1 : options_.relaxation.recovery_interval;
+  if (options_.method == Method::kAuto && component_.num_arcs() <= kMostCuttingArcs) {
+    loop.max_evaluations = std::min(loop.max_evaluations, kEvaluationsBeforeLp);
+    loop.recovery_interval = kEvaluationsBeforeLp;
+  }
   loop.goal = cutoff();
   const auto recovery = recovery::make_recovery(options_.relaxation.recovery,
                                                 component_,
@@ -290,13 +307,6 @@ void ComponentSolver::relax() {
   accept_dual(relax::maximize_dual(component_, {}, loop, recover), "relaxation");
 }
 
-int ComponentSolver::max_evaluations() const {
-  const bool linear_program_follows =
-      options_.method == Method::kAuto && component_.num_arcs() <= kMostCuttingArcs;
-  const int most = options_.relaxation.max_evaluations;
-  return linear_program_follows ? std::min(most, kEvaluationsBeforeLp) : most;
-}
-
 void ComponentSolver::accept_dual(relax::LagrangianResult result, const char* event) {
   state_.evaluations += result.evaluations;
   state_.recoveries += result.recoveries;
@@ -306,12 +316,30 @@ void ComponentSolver::accept_dual(relax::LagrangianResult result, const char* ev
   raise_bound(result.lower, event);
 }
 
-void ComponentSolver::search(int effort) {
+double ComponentSolver::first_work() const {
+  return kFirstWork + kFirstWorkPerIndex * static_cast<double>(component_.num_indices());
+}
+
+// What branch and cut leaves to the search for packings.
+void ComponentSolver::improve(const Component& core, const cutting::Master& point, double work) {
+  if (++improvements_ == 1) {
+    adopt_multipliers(core, point.u());
+    if (!searched_) search(first_work());
+  } else if (improvements_ == 2 && is_wide()) {
+    search(kWideWork);
+  } else {
+    search(work);
+  }
+}
+
+void ComponentSolver::search(double work) {
   if (state_.complete || !options_.search.local_search || deadline_.reached()) return;
   recovery::CoreSearchOptions search;
-  search.kicks_per_index = effort * options_.search.kicks_per_index;
+  search.kicks_per_index = searched_ ? 0 : options_.search.kicks_per_index;
+  search.neighbourhood_work = work;
   search.goal = state_.lower + precision_.error;
-  core::Random random(seed_ + static_cast<std::uint64_t>(effort));
+  core::Random random(seed_ + static_cast<std::uint64_t>(improvements_));
+  searched_ = true;
   offer(recovery::search_core(component_,
                               state_.u,
                               state_.best.cost - state_.certificate,
@@ -319,12 +347,12 @@ void ComponentSolver::search(int effort) {
                               search,
                               random,
                               deadline_),
-        "local search");
+        "neighbourhoods");
 }
 
 // With a gap that wide a proof is far away; better solutions are not.
-void ComponentSolver::search_if_wide() {
-  if (state_.best.cost - state_.lower > kWideGap * std::abs(state_.best.cost)) search(kWideEffort);
+bool ComponentSolver::is_wide() const {
+  return state_.best.cost - state_.lower > kWideGap * std::abs(state_.best.cost);
 }
 
 void ComponentSolver::branch(double allowed_gap) {

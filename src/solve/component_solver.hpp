@@ -80,15 +80,17 @@ class ComponentSolver {
 
  private:
   relax::LagrangianOptions loop_options(const core::Component& component) const;
-  int max_evaluations() const;
   void solve_assignment();
   void enumerate();
   void relax();
-  void search(int effort);
-  void search_if_wide();
+  double first_work() const;
+  void improve(const core::Component& core, const cutting::Master& point, double work);
+  void search(double work);
+  bool is_wide() const;
   bool is_large() const;
   void accept_dual(relax::LagrangianResult result, const char* event);
   void branch_and_cut(double allowed_gap);
+  void adopt_multipliers(const core::Component& core, std::span<const double> core_u);
   core::Packing round(const core::Component& core, const cutting::Master& point) const;
   void branch(double allowed_gap);
   void close_gap(double allowed_gap);
@@ -108,6 +110,8 @@ class ComponentSolver {
   const std::uint64_t seed_;
   cutting::ProofLog* const proof_;
   bool enumerated_ = false;
+  bool searched_ = false;
+  int improvements_ = 0;
   double certify_s_ = 0;  // what making multipliers feasible took
   double dearest_ = 0;    // if any packing covers all required slots, one costs no more
   ComponentState state_;

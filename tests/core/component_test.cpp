@@ -210,6 +210,11 @@ TEST(RestrictSlots, FollowsTheOriginOfEverySlot) {
     const std::vector<double> once = restrict_slots(whole, values, outer);
     const std::vector<double> direct = restrict_slots(whole, values, inner);
     EXPECT_EQ(restrict_slots(outer, once, inner), direct);
+    std::vector<double> extended(whole.num_slots(), 7.0);
+    extend_slots(outer, once, whole, extended);
+    EXPECT_EQ(restrict_slots(whole, extended, outer), once);
+    EXPECT_EQ(std::count(extended.begin(), extended.end(), 7.0),
+              static_cast<std::ptrdiff_t>(whole.num_slots() - outer.num_indices()));
     ASSERT_EQ(direct.size(), inner.num_slots());
     for (std::size_t k = 0; k < inner.sizes.size(); ++k) {
       EXPECT_EQ(direct[inner.offset[k]], 0.0);

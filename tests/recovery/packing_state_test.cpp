@@ -22,7 +22,7 @@ TEST(SlotArcs, ListTheArcsOfEverySlotCheapestFirst) {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE(seed);
     const Component component = support::random_component_of_any_kind(seed);
-    const SlotArcs slot_arcs(component);
+    const SlotArcs slot_arcs(component, component.costs);
     std::vector<std::vector<ArcId>> expected(component.num_slots());
     for (ArcId a = 0; a < component.num_arcs(); ++a) {
       core::for_each_slot(component, a, [&](std::uint32_t s) { expected[s].push_back(a); });
