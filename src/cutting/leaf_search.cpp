@@ -132,7 +132,7 @@ bool LeafSearch::operator()(const Master& master, double& cutoff) {
   credit_ += limits_.max_work +
              work_of_pivots(master.simplex_iterations() - pivots_, component_.num_slots());
   pivots_ = master.simplex_iterations();
-  if (!is_worth_trying(master, cutoff)) return false;
+  if (!is_worth_trying(master, cutoff) || limits_.deadline.reached()) return false;
   const Translation translation(component_, master);
   const double gap = cutoff - translation.base();
   bnb::SlackLimits limits;

@@ -69,7 +69,7 @@ class Master {
 
   /// Values of lower() for which a trial of branching is enough: few dual simplex steps.
   double trial(int max_iterations, const core::Deadline& deadline);
-  std::vector<unsigned char> basis() const { return program_.basis(); }
+  std::vector<unsigned char> basis() { return program_.basis(); }
   void set_basis(const std::vector<unsigned char>& basis) { program_.set_basis(basis); }
   const SlotIndex& index() const { return index_; }
 

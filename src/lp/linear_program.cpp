@@ -1,10 +1,12 @@
 #include "lp/linear_program.hpp"
 
 #include <algorithm>
+#include <coin/ClpEventHandler.hpp>
 #include <coin/ClpSimplex.hpp>
 
-// CLP copies all of a matrix whenever columns are added, so these are collected and handed over
-// together.  It has no callback as cheap as a look at the clock: its own limit of seconds serves.
+// CLP copies all of a matrix whenever rows or columns are added, so these are collected and handed
+// over together.  Its own limit of seconds is looked at between factorizations only, some
+// milliseconds apart: an event after every pivot looks as well.
 
 namespace nda::lp {
 namespace {
@@ -17,19 +19,56 @@ constexpr int kKeepFactors = 3;
 constexpr int kStatusOptimal = 0;
 constexpr int kStatusInfeasible = 1;
 constexpr int kStatusStopped = 3;
+constexpr int kStatusStoppedByEvent = 5;
+constexpr int kPivotsBetweenLooks = 16;
+
+// Stops the simplex method at the deadline of the run.
+class DeadlineEvent : public ClpEventHandler {
+ public:
+  explicit DeadlineEvent(const core::Deadline* const* deadline) : deadline_(deadline) {}
+
+  int event(Event event) override {
+    constexpr int kGoOn = -1;
+    if (event != endOfIteration || ++pivots_ % kPivotsBetweenLooks != 0) return kGoOn;
+    return *deadline_ != nullptr && (*deadline_)->reached() ? kStatusStoppedByEvent : kGoOn;
+  }
+  ClpEventHandler* clone() const override { return new DeadlineEvent(*this); }
+
+ private:
+  const core::Deadline* const* deadline_;
+  int pivots_ = 0;
+};
 
 }  // namespace
 
+// Rows or columns that CLP does not know yet.
+struct Collected {
+  std::vector<CoinBigIndex> start = {0};
+  std::vector<int> index;
+  std::vector<double> value;
+
+  int size() const { return static_cast<int>(start.size()) - 1; }
+  void add(SparseView vector) {
+    index.insert(index.end(), vector.index.begin(), vector.index.end());
+    value.insert(value.end(), vector.value.begin(), vector.value.end());
+    start.push_back(static_cast<CoinBigIndex>(index.size()));
+  }
+};
+
 struct LinearProgram::Clp {
   ClpSimplex simplex;
-  std::vector<double> cost;  // of the columns to be handed over
+  const core::Deadline* deadline = nullptr;  // of the run
+  // At most one of the two is not empty.
+  Collected rows;
+  std::vector<double> right_side;  // of the rows
+  Collected columns;
+  std::vector<double> cost;  // of the columns
   std::vector<double> upper;
-  std::vector<CoinBigIndex> start = {0};
-  std::vector<int> rows;
-  std::vector<double> values;
 };
 
 LinearProgram::LinearProgram() : clp_(std::make_unique<Clp>()) {
+  const DeadlineEvent event(&clp_->deadline);
+  clp_->simplex.passInEventHandler(&event);
   clp_->simplex.setLogLevel(0);
   clp_->simplex.setDualTolerance(kTolerance);
   clp_->simplex.setPrimalTolerance(kTolerance);
@@ -47,35 +86,51 @@ void LinearProgram::add_empty_rows(int count) {
 }
 
 void LinearProgram::add_row(SparseView row, double right_side) {
-  hand_over();
-  const double lower = -COIN_DBL_MAX;
-  const CoinBigIndex start[] = {0, static_cast<CoinBigIndex>(row.index.size())};
-  clp_->simplex.addRows(1, &lower, &right_side, start, row.index.data(), row.value.data());
+  hand_over_columns();
+  clp_->rows.add(row);
+  clp_->right_side.push_back(right_side);
 }
 
 void LinearProgram::add_column(SparseView column, double cost, double upper) {
+  hand_over_rows();
+  clp_->columns.add(column);
   clp_->cost.push_back(cost);
   clp_->upper.push_back(upper);
-  clp_->rows.insert(clp_->rows.end(), column.index.begin(), column.index.end());
-  clp_->values.insert(clp_->values.end(), column.value.begin(), column.value.end());
-  clp_->start.push_back(static_cast<CoinBigIndex>(clp_->rows.size()));
 }
 
 void LinearProgram::hand_over() {
-  if (clp_->cost.empty()) return;
-  const std::vector<double> lower(clp_->cost.size(), 0.0);
-  clp_->simplex.addColumns(static_cast<int>(clp_->cost.size()),
+  hand_over_rows();
+  hand_over_columns();
+}
+
+void LinearProgram::hand_over_rows() {
+  Collected& rows = clp_->rows;
+  if (rows.size() == 0) return;
+  const std::vector<double> lower(static_cast<std::size_t>(rows.size()), -COIN_DBL_MAX);
+  clp_->simplex.addRows(rows.size(),
+                        lower.data(),
+                        clp_->right_side.data(),
+                        rows.start.data(),
+                        rows.index.data(),
+                        rows.value.data());
+  rows = {};
+  clp_->right_side.clear();
+}
+
+void LinearProgram::hand_over_columns() {
+  Collected& columns = clp_->columns;
+  if (columns.size() == 0) return;
+  const std::vector<double> lower(static_cast<std::size_t>(columns.size()), 0.0);
+  clp_->simplex.addColumns(columns.size(),
                            lower.data(),
                            clp_->upper.data(),
                            clp_->cost.data(),
-                           clp_->start.data(),
-                           clp_->rows.data(),
-                           clp_->values.data());
+                           columns.start.data(),
+                           columns.index.data(),
+                           columns.value.data());
+  columns = {};
   clp_->cost.clear();
   clp_->upper.clear();
-  clp_->start.assign(1, 0);
-  clp_->rows.clear();
-  clp_->values.clear();
 }
 
 void LinearProgram::remove_rows(std::span<const int> rows) {
@@ -96,16 +151,17 @@ void LinearProgram::set_upper(int column, double upper) {
 }
 
 void LinearProgram::set_equality(int row, bool equality) {
+  hand_over();
   ClpSimplex& simplex = clp_->simplex;
   simplex.setRowLower(row, equality ? simplex.rowUpper()[row] : -COIN_DBL_MAX);
 }
 
 int LinearProgram::num_rows() const {
-  return clp_->simplex.numberRows();
+  return clp_->simplex.numberRows() + clp_->rows.size();
 }
 
 int LinearProgram::num_columns() const {
-  return clp_->simplex.numberColumns() + static_cast<int>(clp_->cost.size());
+  return clp_->simplex.numberColumns() + clp_->columns.size();
 }
 
 Outcome LinearProgram::solve_primal(const core::Deadline& deadline) {
@@ -131,7 +187,10 @@ Outcome LinearProgram::run(const core::Deadline& deadline,
                            int max_iterations,
                            Algorithm algorithm) {
   ClpSimplex& simplex = clp_->simplex;
+  clp_->deadline = &deadline;
   for (const bool again : {false, true}) {
+    // Once its seconds are over, CLP may call a start that it did not look at optimal.
+    if (deadline.reached()) return Outcome::kStopped;
     if (again) simplex.allSlackBasis(true);
     simplex.setMaximumSeconds(std::clamp(deadline.remaining_s(), 1e-3, kLongest_s));
     simplex.setDualObjectiveLimit(std::min(objective_limit, kNoLimit));
@@ -144,7 +203,8 @@ Outcome LinearProgram::run(const core::Deadline& deadline,
     if (simplex.status() == kStatusOptimal) {
       return simplex.objectiveValue() >= objective_limit ? Outcome::kCutoff : Outcome::kOptimal;
     }
-    if (simplex.status() == kStatusStopped) return Outcome::kStopped;
+    if (simplex.status() == kStatusStopped || simplex.status() == kStatusStoppedByEvent)
+      return Outcome::kStopped;
     if (simplex.status() == kStatusInfeasible && objective_limit < kNoLimit)
       return Outcome::kCutoff;
   }
@@ -164,7 +224,8 @@ std::span<const double> LinearProgram::dual() const {
   return {clp_->simplex.dualRowSolution(), static_cast<std::size_t>(clp_->simplex.numberRows())};
 }
 
-std::vector<unsigned char> LinearProgram::basis() const {
+std::vector<unsigned char> LinearProgram::basis() {
+  hand_over();
   const ClpSimplex& simplex = clp_->simplex;
   const unsigned char* status = simplex.statusArray();
   return {status, status + simplex.numberRows() + simplex.numberColumns()};

@@ -40,7 +40,8 @@ class LinearProgram {
 
   /// Appends rows sum of nothing <= 1.
   void add_empty_rows(int count);
-  /// Appends a row <= right_side over columns that are there.
+  /// Appends a row <= right_side over columns that are there.  Collected and handed over at the
+  /// next solve, like columns.
   void add_row(SparseView row, double right_side);
   /// Appends a column; rows must be there.  Collected and handed over at the next solve.
   void add_column(SparseView column, double cost, double upper);
@@ -66,11 +67,13 @@ class LinearProgram {
   std::int64_t iterations() const { return iterations_; }
 
   /// The basis, to come back to after a trial.
-  std::vector<unsigned char> basis() const;
+  std::vector<unsigned char> basis();
   void set_basis(const std::vector<unsigned char>& basis);
 
  private:
   void hand_over();
+  void hand_over_rows();
+  void hand_over_columns();
   template <typename Algorithm>
   Outcome run(const core::Deadline& deadline,
               double objective_limit,

@@ -30,10 +30,12 @@ using core::Packing;
 
 constexpr std::int64_t kEnumerationNodes = 200000;
 constexpr int kFeasibleSweeps = 3;
-// Work of neighbourhood search: at first, for every index, and where the gap is wide.
+// Work of neighbourhood search: at first, for every index, and where the gap is wide, for every
+// pair of indices.
 constexpr double kFirstWork = 2e6;
 constexpr double kFirstWorkPerIndex = 2000;
-constexpr double kWideWork = 2e8;
+constexpr double kWideWorkPerPair = 5e4;
+constexpr double kMostWideWork = 5e8;
 constexpr double kWideGap = 0.05;
 // Above this the linear program would be too large to be of use, and memory runs out.
 constexpr std::size_t kMostCuttingArcs = 2000000;
@@ -166,7 +168,7 @@ void ComponentSolver::finish(double allowed_gap) {
 
 void ComponentSolver::close_gap(double allowed_gap) {
   if (close_enough(allowed_gap) || deadline_.reached()) return;
-  if (options_.method == Method::kExact && is_wide()) search(kWideWork);
+  if (options_.method == Method::kExact && is_wide()) search(wide_work());
   if (options_.method != Method::kExact) branch_and_cut(allowed_gap);
   if (!close_enough(allowed_gap)) branch(allowed_gap);
 }
@@ -320,13 +322,18 @@ double ComponentSolver::first_work() const {
   return kFirstWork + kFirstWorkPerIndex * static_cast<double>(component_.num_indices());
 }
 
+double ComponentSolver::wide_work() const {
+  const auto size = static_cast<double>(component_.num_indices());
+  return std::min(kMostWideWork, kWideWorkPerPair * size * size);
+}
+
 // What branch and cut leaves to the search for packings.
 void ComponentSolver::improve(const Component& core, const cutting::Master& point, double work) {
   if (++improvements_ == 1) {
     adopt_multipliers(core, point.u());
     if (!searched_) search(first_work());
   } else if (improvements_ == 2 && is_wide()) {
-    search(kWideWork);
+    search(wide_work());
   } else {
     search(work);
   }

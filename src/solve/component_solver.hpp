@@ -84,6 +84,7 @@ class ComponentSolver {
   void enumerate();
   void relax();
   double first_work() const;
+  double wide_work() const;
   void improve(const core::Component& core, const cutting::Master& point, double work);
   void search(double work);
   bool is_wide() const;

@@ -108,6 +108,30 @@ TEST(LinearProgram, ComesBackToABasis) {
   EXPECT_NEAR(program.objective(), -1.5, 1e-9);
 }
 
+TEST(LinearProgram, ABasisKnowsRowsJustAdded) {
+  LinearProgram program;
+  program.add_empty_rows(2);
+  const int rows[] = {0, 1};
+  const double ones[] = {1, 1};
+  program.add_column({rows, ones}, -3, kInfinity);
+  program.add_column({{rows, 1}, {ones, 1}}, -2, kInfinity);
+  ASSERT_EQ(program.solve_primal({}), Outcome::kOptimal);
+  const int columns[] = {0, 1};
+  program.add_row({columns, ones}, 0.5);
+  EXPECT_EQ(program.num_rows(), 3);
+  const std::vector<unsigned char> basis = program.basis();
+  EXPECT_EQ(basis.size(), 5u);
+  program.set_basis(basis);
+  ASSERT_EQ(program.solve_dual({}, kInfinity, 100), Outcome::kOptimal);
+  EXPECT_NEAR(program.objective(), -1.5, 1e-9);
+}
+
+TEST(LinearProgram, StopsAtADeadlineThatHasPassed) {
+  LinearProgram program;
+  program.add_empty_rows(1);
+  EXPECT_EQ(program.solve_primal(core::Deadline(0)), Outcome::kStopped);
+}
+
 TEST(LinearProgram, WithoutColumnsCostsNothing) {
   LinearProgram program;
   program.add_empty_rows(2);
