@@ -20,6 +20,7 @@ namespace {
 using Units = std::int64_t;
 
 constexpr int kBudgetExponent = 48;
+constexpr int kLongestPause = 3;
 constexpr double kChoiceWidth = 1.5;
 constexpr std::uint32_t kMostCapacity = 255;
 constexpr std::uint32_t kUnlabelled = std::numeric_limits<std::uint32_t>::max();
@@ -51,9 +52,10 @@ class ProofSearch {
         arcs_of_(task.rows.size()),
         filled_(task.rows.size(), 0),
         cost_(task.rows.size(), 0),
+        least_(task.rows.size(), 0),
         marked_(task.rows.size(), 0),
         label_(task.rows.size(), 0),
-        where_(task.rise.size(), kUnlabelled) {}
+        where_(task.rise.size(), 0) {}
 
   double run() {
     State state;
@@ -98,9 +100,9 @@ class ProofSearch {
       paid += may_leave ? row.left * row.price : choices.front().rise;
       state = may_leave ? without(state, row.id) : with(state, choices.front().id);
     }
-    const std::vector<State> parts = divide(state);
-    if (parts.size() == 1) return std::min(limit, paid + branch(state, limit - paid, depth + 1));
-    for (const State& part : parts) {
+    const std::size_t num_parts = label_parts(state);
+    if (num_parts < 2) return std::min(limit, paid + branch(state, limit - paid, depth + 1));
+    for (const State& part : divide(state, num_parts)) {
       paid += least(part, limit - paid, depth + 1);
       if (paid >= limit) return limit;
     }
@@ -122,11 +124,17 @@ class ProofSearch {
   }
 
   void fill(const State& state) {
-    for (const Row& row : state.rows) cost_[row.id] = filled_[row.id] = 0;
-    for (const Arc& arc : state.arcs) {
+    for (const Row& row : state.rows) {
+      cost_[row.id] = filled_[row.id] = 0;
+      least_[row.id] = limit_;
+    }
+    for (std::uint32_t i = 0; i < state.arcs.size(); ++i) {
+      const Arc arc = state.arcs[i];
+      where_[arc.id] = i;
       for (const SearchEntry entry : task_.entries[arc.id]) {
         filled_[entry.row] += entry.coefficient;
         cost_[entry.row] += static_cast<double>(arc.rise);
+        least_[entry.row] = std::min(least_[entry.row], arc.rise);
       }
     }
   }
@@ -149,29 +157,33 @@ class ProofSearch {
   }
 
   bool pay_common(State& state, Units& paid, Units limit) {
-    for (std::uint32_t i = 0; i < state.arcs.size(); ++i) where_[state.arcs[i].id] = i;
     for (Row& row : state.rows) {
+      if (least_[row.id] == 0) continue;
       Units common = row.price;
-      for_each_member(row.id, [&](std::uint32_t i, std::uint32_t coefficient) {
+      for_each_member(state, row.id, [&](std::uint32_t i, std::uint32_t coefficient) {
         common = std::min(common, state.arcs[i].rise / coefficient);
       });
       if (common == 0) continue;
-      for_each_member(row.id, [&](std::uint32_t i, std::uint32_t coefficient) {
+      for_each_member(state, row.id, [&](std::uint32_t i, std::uint32_t coefficient) {
         state.arcs[i].rise -= common * coefficient;
       });
       row.price -= common;
       paid = std::min(limit, paid + common * row.left);
       if (paid == limit) break;
     }
-    for (const Arc& arc : state.arcs) where_[arc.id] = kUnlabelled;
     std::erase_if(state.rows, [](const Row& row) { return row.price == 0; });
     return paid < limit;
   }
 
+  // Whether an arc is left, while nothing was dropped since fill().
+  bool is_left(const State& state, std::uint32_t arc) const {
+    return where_[arc] < state.arcs.size() && state.arcs[where_[arc]].id == arc;
+  }
+
   template <typename Visit>
-  void for_each_member(std::uint32_t row, Visit&& visit) const {
+  void for_each_member(const State& state, std::uint32_t row, Visit&& visit) const {
     for (const Member member : arcs_of_[row]) {
-      if (where_[member.arc] != kUnlabelled) visit(where_[member.arc], member.coefficient);
+      if (is_left(state, member.arc)) visit(where_[member.arc], member.coefficient);
     }
   }
 
@@ -199,9 +211,8 @@ class ProofSearch {
 
   std::vector<Arc> users(const State& state, std::uint32_t row) const {
     std::vector<Arc> found;
-    for (const Arc& arc : state.arcs) {
-      if (uses(arc.id, row)) found.push_back(arc);
-    }
+    for_each_member(
+        state, row, [&](std::uint32_t i, std::uint32_t) { found.push_back(state.arcs[i]); });
     std::sort(found.begin(), found.end(), [](const Arc& a, const Arc& b) {
       return a.rise != b.rise ? a.rise < b.rise : a.id < b.id;
     });
@@ -236,27 +247,34 @@ class ProofSearch {
     return rest;
   }
 
-  // Parts that no arc connects, smallest first; without arcs that fill no row.
-  std::vector<State> divide(const State& state) {
+  // Labels the rows of parts that no arc connects; returns how many there are.  Where that keeps
+  // failing it is not always tried.
+  std::size_t label_parts(const State& state) {
+    if (pause_-- > 0) return 1;
+    for (const Row& row : state.rows) label_[row.id] = kUnlabelled;
     for (const Arc& arc : state.arcs) {
       for (const SearchEntry entry : task_.entries[arc.id]) label_[entry.row] = kUnlabelled;
     }
     for (const Row& row : state.rows) marked_[row.id] = 1;
-    for (std::uint32_t i = 0; i < state.arcs.size(); ++i) where_[state.arcs[i].id] = i;
-    std::vector<State> parts;
+    std::uint32_t count = 0;
     for (const Row& row : state.rows) {
-      if (label_[row.id] == kUnlabelled) {
-        flood(row.id, static_cast<std::uint32_t>(parts.size()));
-        parts.emplace_back();
-      }
-      parts[label_[row.id]].rows.push_back(row);
-    }
-    for (const Arc& arc : state.arcs) {
-      const std::uint32_t part = label_of(arc.id);
-      if (part != kUnlabelled) parts[part].arcs.push_back(arc);
+      if (label_[row.id] == kUnlabelled) flood(state, row.id, count++);
     }
     for (const Row& row : state.rows) marked_[row.id] = 0;
-    for (const Arc& arc : state.arcs) where_[arc.id] = kUnlabelled;
+    pause_length_ = count > 1 ? 0 : std::min(2 * pause_length_ + 1, kLongestPause);
+    pause_ = pause_length_;
+    return count;
+  }
+
+  // The parts, smallest first; without arcs that fill no row.
+  std::vector<State> divide(const State& state, std::size_t count) const {
+    std::vector<State> parts(count);
+    for (const Row& row : state.rows) parts[label_[row.id]].rows.push_back(row);
+    for (const Arc& arc : state.arcs) {
+      // Every arc uses an index, and all of its indices have the same label.
+      const std::uint32_t part = label_[task_.entries[arc.id].front().row];
+      if (part != kUnlabelled) parts[part].arcs.push_back(arc);
+    }
     std::stable_sort(parts.begin(), parts.end(), [](const State& a, const State& b) {
       return a.arcs.size() < b.arcs.size();
     });
@@ -266,14 +284,14 @@ class ProofSearch {
   bool connects(std::uint32_t row) const { return row < task_.num_indices || marked_[row] != 0; }
 
   // Labels all rows that arcs connect with one.
-  void flood(std::uint32_t row, std::uint32_t part) {
+  void flood(const State& state, std::uint32_t row, std::uint32_t part) {
     std::vector<std::uint32_t> ahead = {row};
     label_[row] = part;
     while (!ahead.empty()) {
       const std::uint32_t here = ahead.back();
       ahead.pop_back();
       for (const Member member : arcs_of_[here]) {
-        if (where_[member.arc] == kUnlabelled) continue;
+        if (!is_left(state, member.arc)) continue;
         for (const SearchEntry entry : task_.entries[member.arc]) {
           if (label_[entry.row] != kUnlabelled || !connects(entry.row)) continue;
           label_[entry.row] = part;
@@ -281,13 +299,6 @@ class ProofSearch {
         }
       }
     }
-  }
-
-  std::uint32_t label_of(std::uint32_t arc) const {
-    for (const SearchEntry entry : task_.entries[arc]) {
-      if (connects(entry.row)) return label_[entry.row];
-    }
-    return kUnlabelled;
   }
 
   const SearchTask& task_;
@@ -298,9 +309,12 @@ class ProofSearch {
   std::vector<std::vector<Member>> arcs_of_;  // by row
   std::vector<std::uint32_t> filled_;         // by row: coefficients of the arcs left
   std::vector<double> cost_;                  // by row: sum of the costs of the arcs left
+  std::vector<Units> least_;                  // by row: least cost of the arcs left
   std::vector<std::uint32_t> marked_;         // by row, 0 between uses
   std::vector<std::uint32_t> label_;          // by row: its part
-  std::vector<std::uint32_t> where_;  // by arc: its position in a list, while that is of use
+  std::vector<std::uint32_t> where_;          // by arc: its position in the list counted last
+  int pause_ = 0;
+  int pause_length_ = 0;
 };
 
 }  // namespace
