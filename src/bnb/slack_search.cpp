@@ -1,6 +1,7 @@
 #include "bnb/slack_search.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 
 #include "bnb/slack_parts.hpp"
@@ -95,7 +96,7 @@ class SlackSearch {
     }
   }
 
-  bool is_stopped(const Node& here) {
+  bool is_stopped() {
     if (nodes_ >= limits_.max_nodes || work_ > limits_.max_work) return stopped_ = true;
     ++nodes_;
     if (work_ - work_at_look_ > kWorkBetweenLooks) {
@@ -112,14 +113,15 @@ class SlackSearch {
     here.forced.clear();
     double spent = 0;
     do {
-      if (is_stopped(here) || depth > std::size_t{kMostProofSearchDepth}) {
+      if (is_stopped() || depth > std::size_t{kMostProofSearchDepth}) {
         stopped_ = true;
         return kInfinity;
       }
       if (!settle(here, spent, budget) || !ascend(here, spent, budget)) return kInfinity;
     } while (force(here, spent, budget));
     if (!here.rows.empty()) spent += divide(depth, budget - spent);
-    if (spent < budget) here.best.insert(here.best.end(), here.forced.begin(), here.forced.end());
+    if (!(spent < budget)) return kInfinity;
+    here.best.insert(here.best.end(), here.forced.begin(), here.forced.end());
     return spent;
   }
 
@@ -345,8 +347,12 @@ class SlackSearch {
 
   template <typename T, typename Keep>
   static void copy_if(const std::vector<T>& from, std::vector<T>& to, Keep&& keep) {
-    to.resize(from.size());
-    to.erase(std::copy_if(from.begin(), from.end(), to.begin(), keep), to.end());
+    if (&from == &to) {
+      std::erase_if(to, [&](const T& item) { return !keep(item); });
+      return;
+    }
+    to.clear();
+    std::copy_if(from.begin(), from.end(), std::back_inserter(to), keep);
   }
 
   static void drop(Node& here, std::uint32_t arc) {

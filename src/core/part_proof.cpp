@@ -16,7 +16,7 @@ namespace nda::core {
 namespace {
 
 constexpr std::uint32_t kNowhere = std::numeric_limits<std::uint32_t>::max();
-constexpr double kMostSearchWork = 2e9;  // arcs that all searches of a part may look at
+constexpr double kMostSearchWork = 2e10;  // of all searches of a part: a minute or two
 // Sums of so few terms in double-double err by less than this share of their absolute values.
 constexpr double kShare = 0x1p-90;
 
@@ -232,8 +232,9 @@ class PartProof {
   double search(const ProofStep& step) {
     if (!std::isfinite(step.threshold)) fault("a search without a finite threshold");
     const double value = price(step.point);
-    const double budget = std::nextafter(step.threshold - value, kInfinity);
     if (value >= step.threshold) return step.threshold;
+    const double budget = std::nextafter(step.threshold - value, kInfinity);
+    if (!is_searchable(budget)) return value;
     try {
       const double rise =
           least_rise(search_task(step.point, budget), budget, work_, kMostSearchWork);
@@ -296,7 +297,7 @@ class PartProof {
   std::vector<double> multipliers_;                  // by position
   std::vector<DoubleDouble> reduced_;                // by arc
   std::vector<double> size_;                         // by arc: of the terms of its reduced cost
-  // Of all searches: arcs looked at.
+  // Of all searches.
   double work_ = 0;
 };
 

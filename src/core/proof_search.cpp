@@ -21,6 +21,7 @@ using Units = std::int64_t;
 
 constexpr int kBudgetExponent = 48;
 constexpr int kLongestPause = 3;
+constexpr std::size_t kMostHeld = 200'000'000;  // arcs in all states at once
 constexpr double kChoiceWidth = 1.5;
 constexpr std::uint32_t kMostCapacity = 255;
 constexpr std::uint32_t kUnlabelled = std::numeric_limits<std::uint32_t>::max();
@@ -85,11 +86,18 @@ class ProofSearch {
 
   // The least cost of a choice, or the limit if none costs less.
   Units least(State state, Units limit, int depth) {
+    const std::size_t size = state.arcs.size();
+    held_ += size;
     if (depth > kMostProofSearchDepth) throw ProofFault{"the search is too deep"};
+    if (held_ > kMostHeld) throw ProofFault{"the search takes too much memory"};
+    const Units result = explore(std::move(state), limit, depth);
+    held_ -= size;
+    return result;
+  }
+
+  Units explore(State state, Units limit, int depth) {
     Units paid = 0;
     for (;;) {
-      work_ += 1 + static_cast<double>(state.arcs.size());
-      if (work_ > most_work_) throw ProofFault{"the search takes too long"};
       if (!pay_unfillable(state, paid, limit) || !pay_common(state, paid, limit)) return limit;
       if (state.rows.empty()) return paid;
       const Row row = tightest(state, limit - paid);
@@ -124,19 +132,23 @@ class ProofSearch {
   }
 
   void fill(const State& state) {
+    std::size_t work = 1 + state.rows.size() + state.arcs.size();
     for (const Row& row : state.rows) {
-      cost_[row.id] = filled_[row.id] = 0;
+      cost_[row.id] = 0;
+      filled_[row.id] = 0;
       least_[row.id] = limit_;
     }
     for (std::uint32_t i = 0; i < state.arcs.size(); ++i) {
       const Arc arc = state.arcs[i];
       where_[arc.id] = i;
+      work += task_.entries[arc.id].size();
       for (const SearchEntry entry : task_.entries[arc.id]) {
         filled_[entry.row] += entry.coefficient;
         cost_[entry.row] += static_cast<double>(arc.rise);
         least_[entry.row] = std::min(least_[entry.row], arc.rise);
       }
     }
+    spend(work);
   }
 
   // False where the limit is reached.
@@ -148,7 +160,7 @@ class ProofSearch {
       for (Row& row : state.rows) {
         if (filled_[row.id] >= row.left) continue;
         paid = std::min(limit, paid + (row.left - filled_[row.id]) * row.price);
-        row.left = filled_[row.id];
+        row.left = static_cast<std::uint32_t>(filled_[row.id]);
         again = true;
       }
       std::erase_if(state.rows, [](const Row& row) { return row.left == 0 || row.price == 0; });
@@ -175,13 +187,19 @@ class ProofSearch {
     return paid < limit;
   }
 
+  void spend(std::size_t work) {
+    work_ += static_cast<double>(work);
+    if (work_ > most_work_) throw ProofFault{"the search takes too long"};
+  }
+
   // Whether an arc is left, while nothing was dropped since fill().
   bool is_left(const State& state, std::uint32_t arc) const {
     return where_[arc] < state.arcs.size() && state.arcs[where_[arc]].id == arc;
   }
 
   template <typename Visit>
-  void for_each_member(const State& state, std::uint32_t row, Visit&& visit) const {
+  void for_each_member(const State& state, std::uint32_t row, Visit&& visit) {
+    spend(arcs_of_[row].size());
     for (const Member member : arcs_of_[row]) {
       if (is_left(state, member.arc)) visit(where_[member.arc], member.coefficient);
     }
@@ -209,7 +227,7 @@ class ProofSearch {
     return false;
   }
 
-  std::vector<Arc> users(const State& state, std::uint32_t row) const {
+  std::vector<Arc> users(const State& state, std::uint32_t row) {
     std::vector<Arc> found;
     for_each_member(
         state, row, [&](std::uint32_t i, std::uint32_t) { found.push_back(state.arcs[i]); });
@@ -290,6 +308,7 @@ class ProofSearch {
     while (!ahead.empty()) {
       const std::uint32_t here = ahead.back();
       ahead.pop_back();
+      spend(arcs_of_[here].size());
       for (const Member member : arcs_of_[here]) {
         if (!is_left(state, member.arc)) continue;
         for (const SearchEntry entry : task_.entries[member.arc]) {
@@ -307,17 +326,22 @@ class ProofSearch {
   const double unit_;
   const Units limit_;
   std::vector<std::vector<Member>> arcs_of_;  // by row
-  std::vector<std::uint32_t> filled_;         // by row: coefficients of the arcs left
+  std::vector<Units> filled_;                 // by row: coefficients of the arcs left
   std::vector<double> cost_;                  // by row: sum of the costs of the arcs left
   std::vector<Units> least_;                  // by row: least cost of the arcs left
   std::vector<std::uint32_t> marked_;         // by row, 0 between uses
   std::vector<std::uint32_t> label_;          // by row: its part
   std::vector<std::uint32_t> where_;          // by arc: its position in the list counted last
+  std::size_t held_ = 0;
   int pause_ = 0;
   int pause_length_ = 0;
 };
 
 }  // namespace
+
+bool is_searchable(double budget) {
+  return std::isfinite(budget) && std::ldexp(budget, -2 * kBudgetExponent) > 0;
+}
 
 double least_rise(const SearchTask& task, double budget, double& work, double most_work) {
   return std::min(budget, ProofSearch(task, budget, work, most_work).run());

@@ -85,7 +85,7 @@ CutLoopEnd BranchAndCut::tighten(int depth) {
   const PackingOffer offer = [&](const Master& master, const core::Packing* packing) {
     return cutoff_ = offer_(master, packing);
   };
-  LeafSearch leaf(component_, leaf_limits(), offer);
+  LeafSearch leaf(component_, leaf_limits(), depth == 0 ? 0 : master_.simplex_iterations(), offer);
   if (depth == 0 || --leaf_pause_ < 0) loop.leaf = &leaf;
   const auto round = [&](const Master& master) {
     if (depth == 0) offer(master, nullptr);

@@ -137,7 +137,7 @@ bool LeafSearch::operator()(const Master& master, double& cutoff) {
   const double gap = cutoff - translation.base();
   bnb::SlackLimits limits;
   limits.deadline = limits_.deadline;
-  double budget = kFirstShare * gap;
+  double budget = kFirstShare * gap > 0 ? kFirstShare * gap : gap;
   for (double work = 0;; budget *= 2) {
     budget = std::min(gap, budget);
     limits.max_work = credit_ - work;
@@ -151,7 +151,7 @@ bool LeafSearch::operator()(const Master& master, double& cutoff) {
       if (packing.cost < cutoff) cutoff = offer_(master, &packing);
     }
     if (!result.complete) break;
-    if (result.slack == kInfinity && budget < gap) continue;
+    if (!(result.slack < budget) && budget < gap) continue;
     if (limits_.proof != nullptr) limits_.proof->search(master, translation.u(), cutoff);
     return true;
   }

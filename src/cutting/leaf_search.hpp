@@ -36,8 +36,12 @@ struct LeafLimits {
 /// or when what it may do, which adds up over calls, pivots and separation, has doubled.
 class LeafSearch {
  public:
-  LeafSearch(const core::Component& component, const LeafLimits& limits, const PackingOffer& offer)
-      : component_(component), limits_(limits), offer_(offer) {}
+  /// @param pivots  of the master before the node.
+  LeafSearch(const core::Component& component,
+             const LeafLimits& limits,
+             std::int64_t pivots,
+             const PackingOffer& offer)
+      : component_(component), limits_(limits), offer_(offer), pivots_(pivots) {}
 
   /// Searches the allowed arcs of a solved `master` for packings cheaper than `cutoff`, offers the
   /// best one, and lowers the cutoff accordingly.  Returns whether there is none below the cutoff
@@ -55,8 +59,8 @@ class LeafSearch {
   const core::Component& component_;
   const LeafLimits limits_;
   const PackingOffer& offer_;
-  double credit_ = 0;  // work that a search may do
-  std::int64_t pivots_ = 0;
+  std::int64_t pivots_;  // of the master so far
+  double credit_ = 0;    // work that a search may do
   double failed_work_ = kInfinity;
   double failed_gap_ = kInfinity;
   double failed_budget_ = kInfinity;

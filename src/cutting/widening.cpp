@@ -75,7 +75,7 @@ class Widening {
     leaf_limits.max_nodes = limits_.max_nodes - result_.nodes;
     leaf_limits.deadline = limits_.deadline;
     leaf_limits.proof = limits_.proof;
-    LeafSearch leaf(component_, leaf_limits, offer);
+    LeafSearch leaf(component_, leaf_limits, 0, offer);
     loop.leaf = &leaf;
     const auto round = [&](const Master& point) {
       raise(point.lower());

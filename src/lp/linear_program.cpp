@@ -232,6 +232,7 @@ std::vector<unsigned char> LinearProgram::basis() {
 }
 
 void LinearProgram::set_basis(const std::vector<unsigned char>& basis) {
+  hand_over();
   clp_->simplex.copyinStatus(basis.data());
 }
 

@@ -185,6 +185,14 @@ TEST(CheckProof, SearchesNoDeeperThanTheStackAllows) {
   EXPECT_THAT(search_ladder(kMostProofSearchDepth + 10).fault, HasSubstr("too deep"));
 }
 
+TEST(CheckProof, SearchesNothingWithBudgetsBeyondReckoning) {
+  for (const double u : {1e308, -1e308, 1.7e308}) {
+    const ProofReport verdict = report(frame({search(u, 1000)}));
+    EXPECT_LE(verdict.lower_bound, -1) << u;
+  }
+  EXPECT_LE(report(frame({search(-1e308, 1.7e308)})).lower_bound, -1);
+}
+
 TEST(CheckProof, SearchesWithinCuts) {
   // The triangle's clique: u = 0, multiplier -1, no slack anywhere: the first arc is the answer.
   const ProofCut clique = {{0, 1, 2}, {1, 1, 1}, 2, -1};
