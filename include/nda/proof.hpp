@@ -13,7 +13,7 @@ namespace nda {
 /// How far branchings may stand one below the other, and how deep a search may go: checking either
 /// takes stack.
 inline constexpr int kMostProofBranchings = 1500;
-inline constexpr int kMostProofSearchDepth = 1500;
+inline constexpr int kMostProofSearchDepth = 500;
 
 /// A real index: dimension from 0, index from 1.
 struct ProofIndex {
