@@ -57,9 +57,9 @@ SearchResult enumerate(const Component& component,
   result.nodes = found.nodes;
   result.complete = found.complete;
   if (found.slack < kInfinity) {
-    for (const std::uint32_t n : found.arcs) result.best.arcs.push_back(arcs[n]);
-    std::sort(result.best.arcs.begin(), result.best.arcs.end());
-    for (const ArcId a : result.best.arcs) result.best.cost += component.costs[a];
+    std::vector<ArcId> chosen;
+    for (const std::uint32_t n : found.arcs) chosen.push_back(arcs[n]);
+    result.best = core::make_packing(component, std::move(chosen));
     result.found = result.best.cost < cutoff;
   }
   if (result.complete) result.lower = result.found ? std::min(cutoff, result.best.cost) : cutoff;

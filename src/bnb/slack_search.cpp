@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "bnb/slack_parts.hpp"
+#include "core/pause.hpp"
 #include "nda/proof.hpp"
 
 // Good multipliers leave a budget that pays for few deviations from zero slack, so what decides is
@@ -126,10 +127,7 @@ class SlackSearch {
   }
 
   double divide(std::size_t depth, double budget) {
-    Node& here = node(depth);
-    return is_worth_splitting(here) && parts_.split(here.arcs, here.rows, here.parts)
-               ? solve_parts(depth, budget)
-               : branch(depth, budget);
+    return falls_apart(node(depth)) ? solve_parts(depth, budget) : branch(depth, budget);
   }
 
   // Does what must be done where a row has one use only; returns whether there was such a row.
@@ -230,17 +228,16 @@ class SlackSearch {
   }
 
   // Looking for parts costs as much as a node: less often where it keeps failing.
-  bool is_worth_splitting(Node& here) {
+  bool falls_apart(Node& here) {
     if (!here.may_split) return false;
     here.may_split = false;
-    if (pause_-- > 0) return false;
-    pause_length_ = std::min(2 * pause_length_ + 1, kLongestPause);
-    pause_ = pause_length_;
-    return true;
+    if (pause_.skip()) return false;
+    const bool split = parts_.split(here.arcs, here.rows, here.parts);
+    pause_.note(split);
+    return split;
   }
 
   double solve_parts(std::size_t depth, double budget) {
-    pause_length_ = pause_ = 0;
     Node& here = node(depth);
     double spent = 0;
     for (std::size_t p = 0; p < here.parts.size(); ++p) {
@@ -329,7 +326,7 @@ class SlackSearch {
       }
       return true;
     });
-    copy_if(here.rows, next.rows, [](const OpenRow&) { return true; });
+    next.rows = here.rows;
     for (OpenRow& row : next.rows) {
       if (place_[row.row] != kNone) row.left -= std::min(row.left, place_[row.row]);
     }
@@ -374,8 +371,7 @@ class SlackSearch {
   std::vector<std::uint32_t> place_;     // [row]: coefficient of the arc being taken, else kNone
   std::vector<std::uint32_t> position_;  // [arc]: where it was in the list counted last
   PartFinder parts_;
-  int pause_ = 0;
-  int pause_length_ = 0;
+  core::Pause pause_{kLongestPause};
   std::vector<std::unique_ptr<Node>> nodes_at_;  // by depth
   std::int64_t nodes_ = 0;
   double work_ = 0;

@@ -1,6 +1,7 @@
 #include "core/component.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/slices.hpp"
 
@@ -40,6 +41,13 @@ struct ProblemSource {
 };
 
 }  // namespace
+
+Packing make_packing(const Component& component, std::vector<ArcId> arcs) {
+  std::sort(arcs.begin(), arcs.end());
+  Packing packing{std::move(arcs), 0};
+  for (const ArcId a : packing.arcs) packing.cost += component.costs[a];
+  return packing;
+}
 
 Component make_component(std::vector<Index> sizes) {
   Component component;

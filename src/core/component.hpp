@@ -71,6 +71,9 @@ struct Packing {
   double cost = 0;
 };
 
+/// The packing of these arcs: ascending, the cost summed in that order.
+Packing make_packing(const Component& component, std::vector<ArcId> arcs);
+
 /// A component of these sizes with offsets set, without arcs; slots stand for themselves.
 Component make_component(std::vector<Index> sizes);
 

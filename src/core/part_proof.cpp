@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "core/certificate_sum.hpp"
 #include "core/double_double.hpp"
@@ -141,24 +142,32 @@ class PartProof {
   // Takes a cut out of the reduced costs; returns how many terms that were.
   double subtract(const ProofCut& cut, CertificateSum& sum) {
     check_cut(cut);
-    int total = 0;
-    for (std::size_t i = 0; i < cut.positions.size(); ++i) {
-      weight_[cut.positions[i]] = cut.weights[i];
-      total += cut.weights[i];
-    }
     double terms = 0;
-    for (int n = 0; n < total / cut.divisor; ++n, ++terms)
+    for (int n = 0; n < right_side(cut); ++n, ++terms)
       sum.add(static_cast<std::size_t>(n), cut.multiplier);
+    for_each_coefficient(cut, [&](std::uint32_t a, int coefficient) {
+      for (int n = 0; n < coefficient; ++n, ++terms) reduced_[a].add(-cut.multiplier);
+      size_[a] += coefficient * std::abs(cut.multiplier);
+    });
+    return terms;
+  }
+
+  static int right_side(const ProofCut& cut) {
+    return std::accumulate(cut.weights.begin(), cut.weights.end(), 0) / cut.divisor;
+  }
+
+  // Calls visit(arc, coefficient) for all allowed arcs with a coefficient in the cut.
+  template <typename Visit>
+  void for_each_coefficient(const ProofCut& cut, Visit&& visit) {
+    for (std::size_t i = 0; i < cut.positions.size(); ++i)
+      weight_[cut.positions[i]] = cut.weights[i];
     for (const std::uint32_t position : cut.positions) {
       for (const std::uint32_t a : arcs_at_[position]) {
-        if (!allowed(a)) continue;
-        const int coefficient = coefficient_at(a, position) / cut.divisor;
-        for (int n = 0; n < coefficient; ++n, ++terms) reduced_[a].add(-cut.multiplier);
-        size_[a] += coefficient * std::abs(cut.multiplier);
+        const int coefficient = allowed(a) ? coefficient_at(a, position) / cut.divisor : 0;
+        if (coefficient > 0) visit(a, coefficient);
       }
     }
     for (const std::uint32_t position : cut.positions) weight_[position] = 0;
-    return terms;
   }
 
   // The weight of an arc, at the first of its positions that has one; 0 at the others.
@@ -266,21 +275,11 @@ class PartProof {
 
   void add_row(const ProofCut& cut, const std::vector<std::uint32_t>& number, SearchTask& task) {
     const auto row = static_cast<std::uint32_t>(task.rows.size());
-    std::uint32_t total = 0;
-    for (std::size_t i = 0; i < cut.positions.size(); ++i) {
-      weight_[cut.positions[i]] = cut.weights[i];
-      total += cut.weights[i];
-    }
-    task.rows.push_back({-cut.multiplier, total / cut.divisor});
-    for (const std::uint32_t position : cut.positions) {
-      for (const std::uint32_t a : arcs_at_[position]) {
-        const int coefficient =
-            number[a] == kNowhere ? 0 : coefficient_at(a, position) / cut.divisor;
-        if (coefficient > 0)
-          task.entries[number[a]].push_back({row, static_cast<std::uint32_t>(coefficient)});
-      }
-    }
-    for (const std::uint32_t position : cut.positions) weight_[position] = 0;
+    task.rows.push_back({-cut.multiplier, static_cast<std::uint32_t>(right_side(cut))});
+    for_each_coefficient(cut, [&](std::uint32_t a, int coefficient) {
+      if (number[a] != kNowhere)
+        task.entries[number[a]].push_back({row, static_cast<std::uint32_t>(coefficient)});
+    });
   }
 
   static double below(double value) { return std::nextafter(value, -kInfinity); }

@@ -110,8 +110,9 @@ class ProofSearch {
     }
     const std::size_t num_parts = label_parts(state);
     if (num_parts < 2) return std::min(limit, paid + branch(state, limit - paid, depth + 1));
-    for (const State& part : divide(state, num_parts)) {
-      paid += least(part, limit - paid, depth + 1);
+    std::vector<State> parts = divide(state, num_parts);
+    for (State& part : parts) {
+      paid += least(std::move(part), limit - paid, depth + 1);
       if (paid >= limit) return limit;
     }
     return paid;

@@ -17,7 +17,6 @@ constexpr double kIntegral = 1e-6;
 constexpr std::size_t kCandidates = 8;
 constexpr int kTrialIterations = 60;
 constexpr double kWorthwhile = 0.03;
-constexpr int kLongestPause = 31;
 
 }  // namespace
 
@@ -86,21 +85,15 @@ CutLoopEnd BranchAndCut::tighten(int depth) {
     return cutoff_ = offer_(master, packing);
   };
   LeafSearch leaf(component_, leaf_limits(), depth == 0 ? 0 : master_.simplex_iterations(), offer);
-  if (depth == 0 || --leaf_pause_ < 0) loop.leaf = &leaf;
+  if (depth == 0 || !leaf_pause_.skip()) loop.leaf = &leaf;
   const auto round = [&](const Master& master) {
     if (depth == 0) offer(master, nullptr);
     return cutoff_;
   };
   const CutLoopEnd end = run_cut_loop(component_, master_, loop, round);
   search_nodes_ += leaf.nodes();
-  if (leaf.nodes() > 0) rest_from_searching(end == CutLoopEnd::kSearched);
+  if (leaf.nodes() > 0) leaf_pause_.note(end == CutLoopEnd::kSearched);
   return end;
-}
-
-// Less often where it keeps failing.
-void BranchAndCut::rest_from_searching(bool success) {
-  leaf_pause_length_ = success ? 0 : std::min(2 * leaf_pause_length_ + 1, kLongestPause);
-  leaf_pause_ = leaf_pause_length_;
 }
 
 LeafLimits BranchAndCut::leaf_limits() const {
@@ -132,14 +125,11 @@ bool BranchAndCut::integral() const {
 }
 
 core::Packing BranchAndCut::packing() const {
-  core::Packing packing;
+  std::vector<ArcId> arcs;
   for (std::size_t k = 0; k < master_.arcs().size(); ++k) {
-    if (master_.values()[k] < 0.5) continue;
-    packing.arcs.push_back(master_.arcs()[k]);
-    packing.cost += component_.costs[master_.arcs()[k]];
+    if (master_.values()[k] >= 0.5) arcs.push_back(master_.arcs()[k]);
   }
-  std::sort(packing.arcs.begin(), packing.arcs.end());
-  return packing;
+  return core::make_packing(component_, std::move(arcs));
 }
 
 std::vector<BranchAndCut::Pair> BranchAndCut::fractional_pairs() const {

@@ -5,6 +5,7 @@
 
 #include "core/clock.hpp"
 #include "core/component.hpp"
+#include "core/pause.hpp"
 #include "cutting/cut_loop.hpp"
 #include "cutting/leaf_search.hpp"
 #include "cutting/master.hpp"
@@ -18,7 +19,7 @@ struct BranchAndCutLimits {
   std::size_t root_patterns = 0;
   std::size_t node_patterns = 4;
   int node_rounds = 3;
-  double leaf_work = LeafLimits{}.max_work;  ///< arcs that the search of a node may look at
+  double leaf_work = LeafLimits{}.max_work;  ///< LeafLimits::max_work of a node
   core::Deadline deadline;
   ProofLog* proof = nullptr;  ///< where to write down the tree; whole if the search is exhaustive
 };
@@ -62,7 +63,6 @@ class BranchAndCut {
   double explore(int depth, double inherited);
   CutLoopEnd tighten(int depth);
   LeafLimits leaf_limits() const;
-  void rest_from_searching(bool success);
   double close(double lower);
   bool integral() const;
   core::Packing packing() const;
@@ -77,6 +77,8 @@ class BranchAndCut {
   std::int64_t num_nodes() const { return tree_nodes_ + search_nodes_; }
   double leave(double lower);
 
+  static constexpr int kLongestLeafPause = 31;  // nodes that are not searched in a row
+
   const core::Component& component_;
   Master& master_;
   double cutoff_;
@@ -84,8 +86,7 @@ class BranchAndCut {
   PackingOffer offer_;
   std::int64_t tree_nodes_ = 0;
   std::int64_t search_nodes_ = 0;
-  int leaf_pause_ = 0;  // nodes that are not searched
-  int leaf_pause_length_ = 0;
+  core::Pause leaf_pause_{kLongestLeafPause};
   bool exhaustive_ = true;
 };
 

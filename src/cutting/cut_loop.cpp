@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/pause.hpp"
 #include "core/random.hpp"
 #include "cutting/leaf_search.hpp"
 #include "cutting/proof_log.hpp"
@@ -33,7 +34,7 @@ void keep_best(std::vector<ViolatedCut>& cuts, std::size_t most) {
 class Separation {
  public:
   explicit Separation(const core::Deadline& deadline)
-      : deadline_(deadline), pauses_(patterns().size()) {}
+      : deadline_(deadline), pauses_(patterns().size(), core::Pause(kLongestPause)) {}
 
   // All violated cuts that are found by the first `count` patterns and by three rows.
   std::vector<ViolatedCut> operator()(Separator& separator,
@@ -41,11 +42,9 @@ class Separation {
                                       const SeparationEffort& effort) {
     std::vector<ViolatedCut> found = separator.three_rows(effort.least_violation, deadline_);
     for (std::size_t p = 0; p < count; ++p) {
-      Pause& pause = pauses_[p];
-      if (pause.left > 0 && --pause.left >= 0) continue;
+      if (pauses_[p].skip()) continue;
       std::vector<ViolatedCut> more = separator.search(patterns()[p], effort, random_, deadline_);
-      pause.length = more.empty() ? std::min(2 * pause.length + 1, kLongestPause) : 0;
-      pause.left = pause.length;
+      pauses_[p].note(!more.empty());
       keep_best(more, kLeastCuts);
       found.insert(found.end(), more.begin(), more.end());
     }
@@ -53,17 +52,12 @@ class Separation {
   }
 
   // Ends all pauses.
-  void wake() { pauses_.assign(pauses_.size(), {}); }
+  void wake() { pauses_.assign(pauses_.size(), core::Pause(kLongestPause)); }
 
  private:
-  struct Pause {
-    int length = 0;
-    int left = 0;
-  };
-
   const core::Deadline& deadline_;
   core::Random random_{1};
-  std::vector<Pause> pauses_;
+  std::vector<core::Pause> pauses_;
 };
 
 }  // namespace

@@ -108,16 +108,6 @@ class Translation {
   double base_ = 0;
 };
 
-core::Packing packing_of(const Component& component,
-                         const std::vector<ArcId>& arcs,
-                         const std::vector<std::uint32_t>& chosen) {
-  core::Packing packing;
-  for (const std::uint32_t n : chosen) packing.arcs.push_back(arcs[n]);
-  std::sort(packing.arcs.begin(), packing.arcs.end());
-  for (const ArcId a : packing.arcs) packing.cost += component.costs[a];
-  return packing;
-}
-
 }  // namespace
 
 bool LeafSearch::is_worth_trying(const Master& master, double cutoff) const {
@@ -147,7 +137,9 @@ bool LeafSearch::operator()(const Master& master, double& cutoff) {
     nodes_ += result.nodes;
     work += result.work;
     if (result.slack < kInfinity) {
-      const core::Packing packing = packing_of(component_, arcs, result.arcs);
+      std::vector<ArcId> chosen;
+      for (const std::uint32_t n : result.arcs) chosen.push_back(arcs[n]);
+      const core::Packing packing = core::make_packing(component_, std::move(chosen));
       if (packing.cost < cutoff) cutoff = offer_(master, &packing);
     }
     if (!result.complete) break;

@@ -23,7 +23,7 @@ inline double work_of_pivots(std::int64_t pivots, std::size_t num_rows) {
 }
 
 struct LeafLimits {
-  double max_work = 1e6;       ///< arcs to look at for every call, some 30 ms; 0 = none
+  double max_work = 1e6;       ///< of searches (bnb::SlackLimits) for every call; 0 = none
   std::int64_t max_nodes = 0;  ///< of all searches
   core::Deadline deadline;
   ProofLog* proof = nullptr;  ///< where to write searches down

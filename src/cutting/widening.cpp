@@ -79,7 +79,7 @@ class Widening {
     loop.leaf = &leaf;
     const auto round = [&](const Master& point) {
       raise(point.lower());
-      return cutoff_ = observer_.offer(point, nullptr);
+      return offer(point, nullptr);
     };
     CutLoopEnd end = CutLoopEnd::kStalled;
     for (std::size_t call = 0; call < kRounds.size() && end == CutLoopEnd::kStalled; ++call) {

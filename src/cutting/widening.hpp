@@ -7,6 +7,7 @@
 
 #include "core/clock.hpp"
 #include "core/component.hpp"
+#include "cutting/leaf_search.hpp"
 #include "cutting/master.hpp"
 #include "cutting/proof_log.hpp"
 
@@ -25,7 +26,7 @@ struct WideningLimits {
 struct WideningObserver {
   /// A packing (arcs of the component), or null and a relaxed point to make one of.  Returns the
   /// cutoff from now on.
-  std::function<double(const Master&, const core::Packing*)> offer;
+  PackingOffer offer;
   /// A chance to look for better packings: when the first linear program and the search by its
   /// multipliers did not end it, when many rounds of cuts did not, and after every circle.  The
   /// first point has multipliers of indices only.  `work` (bnb::SlackLimits) is a share of what was

@@ -39,8 +39,6 @@ class DeadlineEvent : public ClpEventHandler {
   int pivots_ = 0;
 };
 
-}  // namespace
-
 // Rows or columns that CLP does not know yet.
 struct Collected {
   std::vector<CoinBigIndex> start = {0};
@@ -54,6 +52,8 @@ struct Collected {
     start.push_back(static_cast<CoinBigIndex>(index.size()));
   }
 };
+
+}  // namespace
 
 struct LinearProgram::Clp {
   ClpSimplex simplex;

@@ -30,11 +30,8 @@ LocalSearch::LocalSearch(const core::Component& component,
       slot_arcs_(component, component.costs, deadline),
       arc_slots_(component),
       state_(component),
-      reduced_(component.num_arcs()),
+      reduced_(reduced_costs(component, u)),
       seen_(component.num_arcs(), 0) {
-  for (ArcId a = 0; a < reduced_.size(); ++a) {
-    reduced_[a] = std::max(0.0, core::reduced_cost(component, u, a));
-  }
   for (const double multiplier : u) price_.push_back(-multiplier);
 }
 

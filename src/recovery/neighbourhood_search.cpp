@@ -1,7 +1,6 @@
 #include "recovery/neighbourhood_search.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "bnb/slack_search.hpp"
 
@@ -31,13 +30,6 @@ constexpr std::uint64_t kAttemptsPerDetour = 4;
 // Shares of the gap: what a detour may cost, and how far they may lead from the best packing.
 constexpr double kDetour = 0.1;
 constexpr double kFarthest = 0.3;
-
-std::vector<double> reduced_costs(const Component& component, std::span<const double> u) {
-  std::vector<double> reduced(component.num_arcs());
-  for (ArcId a = 0; a < reduced.size(); ++a)
-    reduced[a] = std::max(0.0, core::reduced_cost(component, u, a));
-  return reduced;
-}
 
 }  // namespace
 

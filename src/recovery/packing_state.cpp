@@ -41,6 +41,13 @@ ArcSlots::ArcSlots(const Component& component) {
   }
 }
 
+std::vector<double> reduced_costs(const Component& component, std::span<const double> u) {
+  std::vector<double> reduced(component.num_arcs());
+  for (ArcId a = 0; a < reduced.size(); ++a)
+    reduced[a] = std::max(0.0, core::reduced_cost(component, u, a));
+  return reduced;
+}
+
 bool PackingState::fits(ArcId a) const {
   for (int k = 0; k < component_.num_dimensions(); ++k) {
     if (component_.index(k, a) != 0 && owner_[component_.slot(k, a)] != kNoArc) return false;
@@ -78,14 +85,13 @@ bool PackingState::contains(ArcId a) const {
 }
 
 core::Packing PackingState::packing() const {
-  core::Packing result;
+  std::vector<ArcId> arcs;
   for (const ArcId a : owner_) {
-    if (a != kNoArc) result.arcs.push_back(a);
+    if (a != kNoArc) arcs.push_back(a);
   }
-  std::sort(result.arcs.begin(), result.arcs.end());
-  result.arcs.erase(std::unique(result.arcs.begin(), result.arcs.end()), result.arcs.end());
-  for (const ArcId a : result.arcs) result.cost += component_.costs[a];
-  return result;
+  std::sort(arcs.begin(), arcs.end());
+  arcs.erase(std::unique(arcs.begin(), arcs.end()), arcs.end());
+  return core::make_packing(component_, std::move(arcs));
 }
 
 void PackingState::assign(const core::Packing& packing) {

@@ -40,6 +40,9 @@ class ArcSlots {
   std::vector<std::uint32_t> slots_;
 };
 
+/// Reduced costs of all arcs under feasible multipliers: what rounding leaves below 0 counts as 0.
+std::vector<double> reduced_costs(const core::Component& component, std::span<const double> u);
+
 /// No arc.
 inline constexpr core::ArcId kNoArc = ~core::ArcId{0};
 

@@ -151,12 +151,18 @@ void ComponentSolver::start() {
 
 // Too large for branch and cut to end it at once; otherwise better packings can wait.
 bool ComponentSolver::is_large() const {
-  std::size_t num_live = 0;
+  return component_.num_arcs() > cutting::kMostLeafArcs &&
+         live_arcs().size() > cutting::kMostLeafArcs;
+}
+
+// Those that reduced costs leave.
+std::vector<ArcId> ComponentSolver::live_arcs() const {
+  std::vector<ArcId> live;
   for (ArcId a = 0; a < component_.num_arcs(); ++a) {
     const double r = core::reduced_cost(component_, state_.u, a);
-    num_live += state_.certificate + r < cutoff() ? 1 : 0;
+    if (state_.certificate + r < cutoff()) live.push_back(a);
   }
-  return num_live > cutting::kMostLeafArcs;
+  return live;
 }
 
 void ComponentSolver::finish(double allowed_gap) {
@@ -183,11 +189,7 @@ Status ComponentSolver::reason_to_stop(double allowed_gap) const {
 
 // Cuts and branching on the arcs that reduced costs leave, as a component of their own.
 void ComponentSolver::branch_and_cut(double allowed_gap) {
-  std::vector<ArcId> live;
-  for (ArcId a = 0; a < component_.num_arcs(); ++a) {
-    const double r = core::reduced_cost(component_, state_.u, a);
-    if (state_.certificate + r < cutoff()) live.push_back(a);
-  }
+  const std::vector<ArcId> live = live_arcs();
   state_.live_arcs = live.size();
   if (live.empty() || live.size() > kMostCuttingArcs) return;
   state_.method = "branch and cut";
@@ -224,10 +226,7 @@ void ComponentSolver::adopt_multipliers(const Component& core, std::span<const d
   std::vector<double> u = state_.u;
   core::extend_slots(core, core_u, component_, u);
   const double certificate = relax::make_feasible(component_, u, deadline_);
-  if (certificate <= state_.certificate) return;
-  state_.u = std::move(u);
-  state_.certificate = certificate;
-  raise_bound(certificate, "linear program");
+  accept_multipliers(std::move(u), certificate, "linear program");
 }
 
 // Where branch and cut did not write down its steps, the multipliers prove the bound, or a search
@@ -312,10 +311,16 @@ void ComponentSolver::relax() {
 void ComponentSolver::accept_dual(relax::LagrangianResult result, const char* event) {
   state_.evaluations += result.evaluations;
   state_.recoveries += result.recoveries;
-  if (result.lower <= state_.certificate) return;
-  state_.u = std::move(result.u);
-  state_.certificate = result.lower;
-  raise_bound(result.lower, event);
+  accept_multipliers(std::move(result.u), result.lower, event);
+}
+
+void ComponentSolver::accept_multipliers(std::vector<double> u,
+                                         double certificate,
+                                         const char* event) {
+  if (certificate <= state_.certificate) return;
+  state_.u = std::move(u);
+  state_.certificate = certificate;
+  raise_bound(certificate, event);
 }
 
 double ComponentSolver::first_work() const {

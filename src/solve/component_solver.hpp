@@ -89,7 +89,9 @@ class ComponentSolver {
   void search(double work);
   bool is_wide() const;
   bool is_large() const;
+  std::vector<core::ArcId> live_arcs() const;
   void accept_dual(relax::LagrangianResult result, const char* event);
+  void accept_multipliers(std::vector<double> u, double certificate, const char* event);
   void branch_and_cut(double allowed_gap);
   void adopt_multipliers(const core::Component& core, std::span<const double> core_u);
   core::Packing round(const core::Component& core, const cutting::Master& point) const;

@@ -11,16 +11,10 @@ namespace {
 using core::Component;
 using core::Packing;
 using core::Random;
+using support::large_component;
 using support::packing_fault;
 
 constexpr double kTie = 1e-9;
-
-Component dense_component(std::uint64_t seed) {
-  support::RandomComponentOptions options;
-  options.sizes = {9, 9, 9};
-  options.num_arcs = 150;
-  return support::random_component(seed, options);
-}
 
 Packing search(const Component& component,
                Packing packing,
@@ -60,7 +54,7 @@ TEST(NeighbourhoodSearch, FindsTheOptimumOfSmallComponentsFromNothing) {
 }
 
 TEST(NeighbourhoodSearch, StopsAtTheGoal) {
-  const Component component = dense_component(3);
+  const Component component = large_component(3);
   const Packing best = search(component, {}, 2e7);
   const double goal = best.cost / 2;
   const Packing found = search(component, {}, 2e7, goal);
@@ -69,12 +63,12 @@ TEST(NeighbourhoodSearch, StopsAtTheGoal) {
 }
 
 TEST(NeighbourhoodSearch, IsDeterministic) {
-  const Component component = dense_component(4);
+  const Component component = large_component(4);
   EXPECT_EQ(search(component, {}, 1e6).arcs, search(component, {}, 1e6).arcs);
 }
 
 TEST(NeighbourhoodSearch, StopsAtTheDeadline) {
-  const Component component = dense_component(5);
+  const Component component = large_component(5);
   Random random(1);
   const std::vector<double> u = support::feasible_multipliers(component, random);
   Packing packing;

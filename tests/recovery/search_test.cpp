@@ -18,6 +18,7 @@ using core::ArcId;
 using core::Component;
 using core::Packing;
 using core::Random;
+using support::large_component;
 using support::packing_fault;
 using ::testing::ElementsAre;
 using ::testing::ElementsAreArray;
@@ -52,13 +53,6 @@ std::vector<double> reduced_costs(const Component& component, std::span<const do
     reduced.push_back(core::reduced_cost(component, u, a));
   }
   return reduced;
-}
-
-Component large_component(std::uint64_t seed) {
-  support::RandomComponentOptions options;
-  options.sizes = {9, 9, 9};
-  options.num_arcs = 150;
-  return support::random_component(seed, options);
 }
 
 TEST(Greedy, TakesArcsInTheOrderOfTheKey) {

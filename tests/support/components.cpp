@@ -71,6 +71,13 @@ Component random_component_of_any_kind(std::uint64_t seed) {
   return random_component(seed, options);
 }
 
+Component large_component(std::uint64_t seed) {
+  RandomComponentOptions options;
+  options.sizes = {9, 9, 9};
+  options.num_arcs = 150;
+  return random_component(seed, options);
+}
+
 std::string packing_fault(const Component& component, const Packing& packing, double tolerance) {
   std::set<ArcId> arcs;
   std::set<std::uint32_t> slots;

@@ -32,6 +32,9 @@ core::Component random_component(std::uint64_t seed, const RandomComponentOption
 /// Sizes, arcs and costs at random too: N = 2..6, sizes 1..5, up to 24 arcs.
 core::Component random_component_of_any_kind(std::uint64_t seed);
 
+/// Three dimensions of nine indices, 150 arcs: too many packings to list.
+core::Component large_component(std::uint64_t seed);
+
 /// What is wrong with this packing, one sentence; empty when it is one: no arc twice, no index
 /// twice, the cost that of the arcs (to `tolerance`).
 std::string packing_fault(const core::Component& component,
