@@ -45,24 +45,24 @@ class Builder {
     sizes.insert(sizes.end(), component_.sizes.begin() + 2, component_.sizes.end());
     result_.component = core::make_component(std::move(sizes));
     result_.default_arc.assign(rows.size() + 1, kNoArc);
-    const bool has_free_cell = cells.num_cells() > 0 && cells.row[0] == 0 && cells.column[0] == 0;
-    if (has_free_cell) add_row(cells, 0, 0);
+    if (cells.num_free() > 0) add_row(0, cells.num_free(), 0);
     core::for_each_until(deadline_, rows.size(), [&](std::size_t j) {
-      add_row(cells, rows[j], static_cast<Index>(j + 1));
+      const std::uint32_t cell = rows[j];
+      add_row(cells.first_arc[cell], cells.first_arc[cell + 1], static_cast<Index>(j + 1));
     });
     return std::move(result_);
   }
 
  private:
-  void add_row(const relax::Cells& cells, std::uint32_t cell, Index j) {
+  // Of the arcs of a cell.
+  void add_row(ArcId first, ArcId end, Index j) {
     double base = 0;
-    const ArcId first = cells.first_arc[cell];
     // (j, 0..0) is lexicographically the first arc of its cell.
     if (ends_here(component_, first)) {
       base = std::min(0.0, component_.costs[first]);
       if (base < 0) result_.default_arc[j] = first;
     }
-    for (ArcId a = first; a < cells.first_arc[cell + 1]; ++a) {
+    for (ArcId a = first; a < end; ++a) {
       if (ends_here(component_, a) || component_.costs[a] - base >= 0) continue;
       result_.component.indices[0].push_back(j);
       for (std::size_t k = 2; k < component_.sizes.size(); ++k) {

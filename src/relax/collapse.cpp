@@ -1,12 +1,23 @@
 #include "relax/collapse.hpp"
 
+#include <algorithm>
 #include <array>
 
-// Nearly all time of the relaxation goes into this loop (report, section 5: "the dominant
-// computational part is the evaluation of the relaxed two-dimensional cost coefficients").  Columns
-// are read as streams, the multipliers by gathers that stay in cache; with N fixed at compile time
-// the inner loop has no branches but the minimum.  The report breaks ties by the lexicographically
-// smallest tuple, which is the first arc of the run.
+#include "core/reduced_costs.hpp"
+
+// Most of the relaxation's time goes into this loop (report, section 5: "the dominant computational
+// part is the evaluation of the relaxed two-dimensional cost coefficients").  Three things keep a
+// processor from loading as fast as it could:
+//   - Which arc attains the minimum.  Every new minimum is a jump that was not foreseen, or a chain
+//     of moves; the assignment takes few of the cells.  So only the minimum is computed, and
+//     cheapest_arc() finds the arc where it is wanted.  The report breaks ties by the
+//     lexicographically smallest tuple, which is the first arc.
+//   - The end of a cell is not foreseen either.  Cells of a few arcs are therefore not taken one by
+//     one: all arcs pass by, the minimum is forgotten where a cell begins, and is written after
+//     every arc.
+//   - Loads: arcs of a cell that agree in their third index share its multiplier.
+// Reduced costs come out in the same bits whatever the way, as the order of subtractions is always
+// that of the dimensions.
 
 namespace nda::relax {
 namespace {
@@ -14,35 +25,146 @@ namespace {
 using core::ArcId;
 using core::Component;
 
+// Cells of fewer arcs on average are not taken one by one, and runs of fewer not as such; measured.
+constexpr std::size_t kLongCell = 16;
+constexpr std::size_t kLongRun = 12;
+
 struct Relaxed {
   const Index* index;
   const double* u;
 };
+using RelaxedColumns = std::array<Relaxed, kMaxDimensions>;
 
-// kRelaxed = N - 2 relaxed dimensions; 0 means that the number is only known at run time.
-template <int kRelaxed>
-void collapse_cells(const Component& component,
-                    const Cells& cells,
-                    std::span<const Relaxed> relaxed,
-                    std::span<double> d,
-                    std::span<ArcId> arc) {
-  const int num_relaxed = kRelaxed > 0 ? kRelaxed : static_cast<int>(relaxed.size());
-  std::array<Relaxed, kMaxDimensions> columns;
-  std::copy(relaxed.begin(), relaxed.end(), columns.begin());
-  const double* cost = component.costs.data();
+RelaxedColumns relaxed_columns(const Component& component, std::span<const double> u) {
+  RelaxedColumns columns;
+  for (std::size_t k = 2; k < component.sizes.size(); ++k) {
+    columns[k - 2] = {component.indices[k].data(), u.data() + component.offset[k]};
+  }
+  return columns;
+}
+
+void mark_beginnings(Cells& cells) {
+  cells.begins_cell.assign(cells.first_arc.back() - cells.num_free(), 0);
   for (std::size_t cell = 0; cell < cells.num_cells(); ++cell) {
-    double best = kInfinity;
-    ArcId best_arc = cells.first_arc[cell];
-    for (ArcId a = cells.first_arc[cell]; a < cells.first_arc[cell + 1]; ++a) {
-      double r = cost[a];
-      for (int k = 0; k < num_relaxed; ++k) r -= columns[k].u[columns[k].index[a]];
-      if (r < best) {
-        best = r;
-        best_arc = a;
-      }
+    cells.begins_cell[cells.first_arc[cell] - cells.num_free()] = 1;
+  }
+}
+
+void find_runs(const core::Column& index, Cells& cells) {
+  for (std::size_t cell = 0; cell < cells.num_cells(); ++cell) {
+    cells.first_run.push_back(static_cast<std::uint32_t>(cells.run_index.size()));
+    const ArcId first = cells.first_arc[cell];
+    for (ArcId a = first; a < cells.first_arc[cell + 1]; ++a) {
+      if (a > first && index[a] == index[a - 1]) continue;
+      cells.first_run_arc.push_back(a);
+      cells.run_index.push_back(index[a]);
     }
-    d[cell] = best;
-    arc[cell] = best_arc;
+  }
+  cells.first_run.push_back(static_cast<std::uint32_t>(cells.run_index.size()));
+  cells.first_run_arc.push_back(cells.first_arc.back());
+}
+
+void forget_runs(Cells& cells) {
+  cells.first_run = {};
+  cells.first_run_arc = {};
+  cells.run_index = {};
+}
+
+// The ways of collapse() for a number of relaxed dimensions that is known at compile time, or
+// kAny.
+constexpr std::size_t kAny = 0;
+
+template <std::size_t kRelaxed>
+class Collapse {
+ public:
+  Collapse(const Component& component, const Cells& cells, std::span<const double> u)
+      : cells_(cells),
+        cost_(component.costs.data()),
+        num_relaxed_(component.sizes.size() - 2),
+        relaxed_(relaxed_columns(component, u)) {}
+
+  void by_cells(std::span<double> d) const {
+    for (std::size_t cell = 0; cell < d.size(); ++cell) {
+      d[cell] = least<false>(cells_.first_arc[cell], cells_.first_arc[cell + 1], 0.0);
+    }
+  }
+
+  void by_runs(std::span<double> d) const {
+    for (std::size_t cell = 0; cell < d.size(); ++cell) {
+      double best = kInfinity;
+      for (std::uint32_t run = cells_.first_run[cell]; run < cells_.first_run[cell + 1]; ++run) {
+        const double shared = relaxed_[0].u[cells_.run_index[run]];
+        best = std::min(
+            best, least<true>(cells_.first_run_arc[run], cells_.first_run_arc[run + 1], shared));
+      }
+      d[cell] = best;
+    }
+  }
+
+ private:
+  // Over arcs a..end-1; `shared` is the multiplier of the first relaxed dimension if kShared.  Two
+  // minima at a time do not wait for one another.
+  template <bool kShared>
+  double least(ArcId a, ArcId end, double shared) const {
+    double even = kInfinity;
+    double odd = kInfinity;
+    for (; a + 1 < end; a += 2) {
+      even = std::min(even, reduced<kShared>(a, shared));
+      odd = std::min(odd, reduced<kShared>(a + 1, shared));
+    }
+    if (a < end) even = std::min(even, reduced<kShared>(a, shared));
+    return std::min(even, odd);
+  }
+
+  template <bool kShared>
+  double reduced(ArcId a, double shared) const {
+    double r = cost_[a];
+    if constexpr (kShared) r -= shared;
+    const std::size_t count = kRelaxed == kAny ? num_relaxed_ : kRelaxed;
+    for (std::size_t k = kShared ? 1 : 0; k < count; ++k) {
+      r -= relaxed_[k].u[relaxed_[k].index[a]];
+    }
+    return r;
+  }
+
+  const Cells& cells_;
+  const double* const cost_;
+  const std::size_t num_relaxed_;
+  const RelaxedColumns relaxed_;
+};
+
+template <std::size_t kRelaxed>
+void collapse_long(const Component& component,
+                   const Cells& cells,
+                   std::span<const double> u,
+                   std::span<double> d) {
+  const Collapse<kRelaxed> ways(component, cells, u);
+  if (cells.run_index.empty()) {
+    ways.by_cells(d);
+  } else {
+    ways.by_runs(d);
+  }
+}
+
+void collapse_short(const Component& component,
+                    const Cells& cells,
+                    std::span<const double> u,
+                    std::span<double> d) {
+  constexpr std::array kForget = {-kInfinity, kInfinity};
+  std::array<double, core::kReducedBlock> r;
+  std::size_t cell = ~std::size_t{0};  // the first arc leads to cell 0
+  double best = kInfinity;
+  const std::uint8_t* begins = cells.begins_cell.data();
+  for (ArcId a = cells.num_free(); a < cells.first_arc.back();) {
+    const std::size_t count = std::min<std::size_t>(r.size(), cells.first_arc.back() - a);
+    core::reduced_costs(component, u, a, std::span(r).first(count), 2);
+    for (std::size_t n = 0; n < count; ++n) {
+      const std::size_t begin = *begins++;
+      cell += begin;
+      best = std::min(r[n], std::max(best, kForget[begin]));
+      d[cell] = best;
+    }
+    a += static_cast<ArcId>(count);
   }
 }
 
@@ -53,42 +175,62 @@ Cells find_cells(const Component& component) {
   const core::Column& row = component.indices[0];
   const core::Column& column = component.indices[1];
   for (ArcId a = 0; a < component.num_arcs(); ++a) {
+    if (row[a] == 0 && column[a] == 0) continue;
     if (a > 0 && row[a] == row[a - 1] && column[a] == column[a - 1]) continue;
     cells.first_arc.push_back(a);
     cells.row.push_back(row[a]);
     cells.column.push_back(column[a]);
   }
   cells.first_arc.push_back(static_cast<ArcId>(component.num_arcs()));
+  const std::size_t num_arcs = component.num_arcs() - cells.num_free();
+  if (num_arcs < kLongCell * cells.num_cells()) {
+    mark_beginnings(cells);
+  } else if (component.num_dimensions() > 3) {
+    find_runs(component.indices[2], cells);
+    if (num_arcs < kLongRun * cells.run_index.size()) forget_runs(cells);
+  }
   return cells;
 }
 
 void collapse(const Component& component,
               const Cells& cells,
               std::span<const double> u,
-              std::span<double> d,
-              std::span<ArcId> arc) {
-  std::array<Relaxed, kMaxDimensions> storage;
-  const std::size_t num_relaxed = component.sizes.size() - 2;
-  for (std::size_t k = 0; k < num_relaxed; ++k) {
-    storage[k] = {component.indices[k + 2].data(), u.data() + component.offset[k + 2]};
-  }
-  const std::span<const Relaxed> relaxed(storage.data(), num_relaxed);
-  switch (num_relaxed) {
-    case 1:
-      return collapse_cells<1>(component, cells, relaxed, d, arc);
-    case 2:
-      return collapse_cells<2>(component, cells, relaxed, d, arc);
+              std::span<double> d) {
+  if (!cells.begins_cell.empty()) return collapse_short(component, cells, u, d);
+  switch (component.num_dimensions()) {
     case 3:
-      return collapse_cells<3>(component, cells, relaxed, d, arc);
+      return collapse_long<1>(component, cells, u, d);
     case 4:
-      return collapse_cells<4>(component, cells, relaxed, d, arc);
+      return collapse_long<2>(component, cells, u, d);
     case 5:
-      return collapse_cells<5>(component, cells, relaxed, d, arc);
+      return collapse_long<3>(component, cells, u, d);
     case 6:
-      return collapse_cells<6>(component, cells, relaxed, d, arc);
+      return collapse_long<4>(component, cells, u, d);
+    case 7:
+      return collapse_long<5>(component, cells, u, d);
+    case 8:
+      return collapse_long<6>(component, cells, u, d);
     default:
-      return collapse_cells<0>(component, cells, relaxed, d, arc);
+      return collapse_long<kAny>(component, cells, u, d);
   }
+}
+
+ArcId cheapest_arc(const Component& component,
+                   const Cells& cells,
+                   std::uint32_t cell,
+                   std::span<const double> u,
+                   double d) {
+  std::array<double, 64> r;
+  const ArcId first = cells.first_arc[cell];
+  const ArcId end = cells.first_arc[cell + 1];
+  for (ArcId a = first; a < end;) {
+    const std::span<double> block = std::span(r).first(std::min<std::size_t>(r.size(), end - a));
+    core::reduced_costs(component, u, a, block, 2);
+    const auto found = std::find(block.begin(), block.end(), d);
+    if (found != block.end()) return a + static_cast<ArcId>(found - block.begin());
+    a += static_cast<ArcId>(block.size());
+  }
+  return first;
 }
 
 }  // namespace nda::relax

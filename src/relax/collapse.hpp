@@ -8,30 +8,46 @@
 
 namespace nda::relax {
 
-/// The cells of a component: runs of arcs that agree in their first two indices (i1, i2).
-/// Arcs are in lexicographic order, so a cell is a range of arcs and cells are sorted too.
+/// The cells of a component: runs of arcs that agree in their first two indices (i1, i2), without
+/// (0, 0).  Arcs are in lexicographic order, so a cell is a range of arcs, cells are sorted too,
+/// and the arcs of (0, 0) come before all others.
 struct Cells {
   std::vector<core::ArcId> first_arc;  ///< of every cell, and num_arcs at the end
   std::vector<Index> row;              ///< i1
   std::vector<Index> column;           ///< i2
 
+  /// Which way collapse() goes.  Cells of many arcs are taken one by one; where they fall into long
+  /// runs of arcs that agree in i3 too, these are listed.  Of short cells every arc from
+  /// num_free() on has its mark.
+  std::vector<std::uint8_t> begins_cell;   ///< [arc - num_free()]: 1 for the first of its cell
+  std::vector<std::uint32_t> first_run;    ///< of every cell, and the number of runs at the end
+  std::vector<core::ArcId> first_run_arc;  ///< of every run, and num_arcs at the end
+  std::vector<Index> run_index;            ///< i3 of every run
+
   std::size_t num_cells() const { return row.size(); }
+  /// Number of arcs of the pair (0, 0): arcs 0..num_free() - 1.
+  core::ArcId num_free() const { return first_arc.front(); }
 };
 
 Cells find_cells(const core::Component& component);
 
 /// The collapse to two dimensions, eq. (3.3) with the sign of u turned: for every cell
 ///
-///     d[cell] = min over its arcs of  c'[a] - sum over k >= 2 of u[slot(k, a)],     arc[cell] =
-///     the first that attains it.
+///     d[cell] = min over its arcs of  c'[a] - sum over k >= 2 of u[slot(k, a)].
 ///
 /// u has num_slots() entries (those of dimensions 0 and 1 are ignored), the dummies' are 0.
-/// The kernel is compiled for each N from 3 to 8 (measured two to three times faster than a
-/// run-time N). Cost: O(A N); no allocation.
+/// Cost: O(A N); no allocation.  docs/benchmarks/roofline.md compares it with what the machine can
+/// do.
 void collapse(const core::Component& component,
               const Cells& cells,
               std::span<const double> u,
-              std::span<double> d,
-              std::span<core::ArcId> arc);
+              std::span<double> d);
+
+/// The first arc of a cell that attains d = d[cell] of the same u.  Cost: O(arcs of the cell * N).
+core::ArcId cheapest_arc(const core::Component& component,
+                         const Cells& cells,
+                         std::uint32_t cell,
+                         std::span<const double> u,
+                         double d);
 
 }  // namespace nda::relax

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/slices.hpp"
+#include "core/reduced_costs.hpp"
 
 // Report, sections 3.1 and 4.1, for m = 2, with three liberties.
 //   - The problem is shifted, so that every index may stay uncovered at cost 0.  Rows and columns
@@ -42,7 +42,6 @@ struct DualFunction::Assignment {
   std::vector<std::uint32_t> pair_cell;    // [pair]: its cell
   std::vector<std::uint32_t> row_cell;     // [row]: cell (i1, 0) or kNoCell
   std::vector<std::uint32_t> column_cell;  // [column]: cell (0, i2) or kNoCell
-  std::uint32_t free_cell = kNoCell;       // cell (0, 0)
 
   Assignment(const Component& component,
              const Cells& cells,
@@ -58,9 +57,7 @@ struct DualFunction::Assignment {
     for (std::uint32_t cell = 0; cell < cells.num_cells(); ++cell) {
       const Index i = cells.row[cell];
       const Index j = cells.column[cell];
-      if (i == 0 && j == 0) {
-        free_cell = cell;
-      } else if (i == 0) {
+      if (i == 0) {
         column_cell[j - 1] = cell;
       } else if (j == 0) {
         row_cell[i - 1] = cell;
@@ -112,7 +109,6 @@ DualFunction::DualFunction(const Component& component,
       num_slots_(component.num_slots()),
       slot_u_(num_slots_, 0.0),
       d_(cells_.num_cells()),
-      cell_arc_(cells_.num_cells()),
       assignment_(std::make_unique<Assignment>(component, cells_, method, deadline)) {
   first_slot_ =
       component.num_dimensions() > 2 ? component.offset[2] : static_cast<std::uint32_t>(num_slots_);
@@ -122,14 +118,14 @@ DualFunction::~DualFunction() = default;
 
 double DualFunction::evaluate(std::span<const double> u, std::span<double> subgradient) {
   std::copy(u.begin(), u.end(), slot_u_.begin() + first_slot_);
-  collapse(component_, cells_, slot_u_, d_, cell_arc_);
+  collapse(component_, cells_, slot_u_, d_);
   interrupted_ = !assignment_->solve(d_);
 
   double value = assignment_->result.cost;
   for (const double multiplier : u) value += std::min(0.0, multiplier);
   std::fill(subgradient.begin(), subgradient.end(), 0.0);
   choose(subgradient);
-  value += take_free_cell(subgradient);
+  value += take_free_arcs(subgradient);
   for (std::size_t j = 0; j < u.size(); ++j) {
     const double uses = -subgradient[j];
     const double singleton = u[j] > 0 || (u[j] == 0 && uses == 0) ? 1.0 : 0.0;
@@ -164,18 +160,22 @@ void DualFunction::choose(std::span<double> subgradient) {
 
 void DualFunction::take_cell(std::uint32_t cell, std::span<double> subgradient) {
   aligned_cells_.push_back(cell);
-  use(cell_arc_[cell], subgradient);
+  use(cheapest_arc(component_, cells_, cell, slot_u_, d_[cell]), subgradient);
 }
 
-double DualFunction::take_free_cell(std::span<double> subgradient) {
-  const std::uint32_t cell = assignment_->free_cell;
-  if (cell == kNoCell) return 0;
+// Those of cell (0, 0).
+double DualFunction::take_free_arcs(std::span<double> subgradient) {
+  std::array<double, core::kReducedBlock> r;
   double value = 0;
-  for (ArcId a = cells_.first_arc[cell]; a < cells_.first_arc[cell + 1]; ++a) {
-    const double r = core::reduced_cost(component_, slot_u_, a);
-    if (r >= 0) continue;
-    value += r;
-    use(a, subgradient);
+  for (ArcId first = 0; first < cells_.num_free();) {
+    const std::size_t count = std::min<std::size_t>(r.size(), cells_.num_free() - first);
+    core::reduced_costs(component_, slot_u_, first, std::span(r).first(count), 2);
+    for (std::size_t n = 0; n < count; ++n) {
+      if (r[n] >= 0) continue;
+      value += r[n];
+      use(first + static_cast<ArcId>(n), subgradient);
+    }
+    first += static_cast<ArcId>(count);
   }
   return value;
 }
@@ -207,12 +207,8 @@ double make_feasible(const Component& component,
     const core::Column& index = component.indices[k];
     const std::span<double> block = u.subspan(component.offset[k], component.sizes[k] + 1);
     least.assign(block.size(), kInfinity);
-    const auto note = [&](std::size_t arc) {
-      const ArcId a = static_cast<ArcId>(arc);
-      if (index[a] == 0) return;
-      least[index[a]] = std::min(least[index[a]], core::reduced_cost(component, u, a));
-    };
-    if (!core::for_each_until(deadline, component.num_arcs(), note)) return -kInfinity;
+    const auto note = [&](ArcId a, double r) { least[index[a]] = std::min(least[index[a]], r); };
+    if (!core::for_each_reduced_cost(component, u, deadline, note)) return -kInfinity;
     for (std::size_t i = 1; i < block.size(); ++i) block[i] = std::min(0.0, block[i] + least[i]);
   }
   double sum = 0;

@@ -57,7 +57,7 @@ class DualFunction : public dual::ConcaveFunction {
   /// more often.
   std::span<const core::ArcId> chosen_arcs() const { return chosen_; }
 
-  /// The index alignment of the last evaluation: the cells of chosen_arcs() outside cell (0, 0).
+  /// The index alignment of the last evaluation: the cells of chosen_arcs() but for the free ones.
   std::span<const std::uint32_t> aligned_cells() const { return aligned_cells_; }
   const Cells& cells() const { return cells_; }
 
@@ -71,16 +71,15 @@ class DualFunction : public dual::ConcaveFunction {
 
   void choose(std::span<double> subgradient);
   void take_cell(std::uint32_t cell, std::span<double> subgradient);
-  double take_free_cell(std::span<double> subgradient);
+  double take_free_arcs(std::span<double> subgradient);
   void use(core::ArcId a, std::span<double> subgradient);
 
   const core::Component& component_;
   Cells cells_;
   std::uint32_t first_slot_ = 0;
   std::size_t num_slots_ = 0;
-  std::vector<double> slot_u_;         // multipliers by slot, as collapse() wants them
-  std::vector<double> d_;              // [cell]
-  std::vector<core::ArcId> cell_arc_;  // [cell]
+  std::vector<double> slot_u_;  // multipliers by slot, as collapse() wants them
+  std::vector<double> d_;       // [cell]
   std::vector<core::ArcId> chosen_;
   std::vector<std::uint32_t> aligned_cells_;
   std::unique_ptr<Assignment> assignment_;
