@@ -38,6 +38,14 @@ class Column {
     return column;
   }
 
+  /// Makes this a column of its own of so many arcs, to be written by the caller.
+  std::span<Index> allocate(std::size_t size) {
+    own_.assign(size, 0);
+    data_ = own_.data();
+    size_ = size;
+    return own_;
+  }
+
   /// Not for borrowed columns.
   void reserve(std::size_t size) {
     own_.reserve(size);

@@ -133,7 +133,8 @@ void extend_slots(const Component& part,
   });
 }
 
-// Numbers the slots that the arcs use 1 and lists them.
+// Numbers the slots that the arcs use 1 and lists them, dummies like others: which index is one is
+// a jump that is hard to foresee.
 template <typename Source>
 bool Cutter::find_used(const Source& source,
                        std::span<const ArcId> arcs,
@@ -141,17 +142,40 @@ bool Cutter::find_used(const Source& source,
   if (number_.size() < source.num_slots()) number_.resize(source.num_slots(), 0);
   for (std::size_t k = 0; k < source.num_dimensions(); ++k) {
     const std::span<const Index> column = source.column(k);
+    const std::uint32_t offset = source.offset(k);
     const auto note = [&](std::size_t n) {
-      const Index i = column[arcs[n]];
-      if (i == 0) return;
-      const std::uint32_t slot = source.offset(k) + i;
-      if (number_[slot] == 0) used_.push_back(slot);
+      const std::uint32_t slot = offset + column[arcs[n]];
+      if (number_[slot] != 0) return;
       number_[slot] = 1;
+      used_.push_back(slot);
     };
     if (!for_each_until(deadline, arcs.size(), note)) return false;
   }
   std::sort(used_.begin(), used_.end());
   return true;
+}
+
+// Numbers the used slots of every dimension from 1 on, dummies 0, and says where they came from.
+template <typename Source>
+void Cutter::number_used(const Source& source, Component& part) {
+  auto next_used = used_.begin();
+  for (std::size_t k = 0; k < source.num_dimensions(); ++k) {
+    const std::uint32_t dummy = source.offset(k);
+    const std::uint32_t end =
+        k + 1 < source.num_dimensions() ? source.offset(k + 1) : ~std::uint32_t{0};
+    number_[dummy] = 0;
+    if (next_used != used_.end() && *next_used == dummy) ++next_used;
+    if (next_used == used_.end() || *next_used >= end) continue;
+    part.offset.push_back(static_cast<std::uint32_t>(part.origin.size()));
+    part.dimensions.push_back(source.dimension(k));
+    part.origin.push_back(0);
+    Index size = 0;
+    for (; next_used != used_.end() && *next_used < end; ++next_used) {
+      number_[*next_used] = ++size;
+      part.origin.push_back(source.origin(k, *next_used));
+    }
+    part.sizes.push_back(size);
+  }
 }
 
 // Fills in columns, costs and origins once number_ holds the new numbers of the slots.
@@ -164,19 +188,16 @@ bool Cutter::copy_arcs(const Source& source,
   for (std::size_t k = 0; k < source.num_dimensions() && p < part.sizes.size(); ++k) {
     if (source.dimension(k) != part.dimensions[p]) continue;
     const std::span<const Index> column = source.column(k);
-    Column& copy = part.indices[p++];
-    copy.reserve(arcs.size());
-    const auto renumber = [&](std::size_t n) {
-      const Index i = column[arcs[n]];
-      copy.push_back(i == 0 ? 0 : number_[source.offset(k) + i]);
-    };
+    const std::span<Index> copy = part.indices[p++].allocate(arcs.size());
+    const Index* number = number_.data() + source.offset(k);
+    const auto renumber = [&](std::size_t n) { copy[n] = number[column[arcs[n]]]; };
     if (!for_each_until(deadline, arcs.size(), renumber)) return false;
   }
-  part.costs.reserve(arcs.size());
-  part.arc_origin.reserve(arcs.size());
+  part.costs.resize(arcs.size());
+  part.arc_origin.resize(arcs.size());
   return for_each_until(deadline, arcs.size(), [&](std::size_t n) {
-    part.costs.push_back(source.cost(arcs[n]));
-    part.arc_origin.push_back(source.arc_origin(arcs[n]));
+    part.costs[n] = source.cost(arcs[n]);
+    part.arc_origin[n] = source.arc_origin(arcs[n]);
   });
 }
 
@@ -186,21 +207,7 @@ Component Cutter::cut_from(const Source& source,
                            const Deadline& deadline) {
   Component part;
   if (find_used(source, arcs, deadline)) {
-    auto next_used = used_.begin();
-    for (std::size_t k = 0; k < source.num_dimensions(); ++k) {
-      const std::uint32_t end =
-          k + 1 < source.num_dimensions() ? source.offset(k + 1) : ~std::uint32_t{0};
-      if (next_used == used_.end() || *next_used >= end) continue;
-      part.offset.push_back(static_cast<std::uint32_t>(part.origin.size()));
-      part.dimensions.push_back(source.dimension(k));
-      part.origin.push_back(0);
-      Index size = 0;
-      for (; next_used != used_.end() && *next_used < end; ++next_used) {
-        number_[*next_used] = ++size;
-        part.origin.push_back(source.origin(k, *next_used));
-      }
-      part.sizes.push_back(size);
-    }
+    number_used(source, part);
     part.indices.resize(part.sizes.size());
     if (!copy_arcs(source, arcs, deadline, part)) part = {};
   }

@@ -109,6 +109,8 @@ class Cutter {
   template <typename Source>
   bool find_used(const Source& source, std::span<const ArcId> arcs, const Deadline& deadline);
   template <typename Source>
+  void number_used(const Source& source, Component& part);
+  template <typename Source>
   bool copy_arcs(const Source& source,
                  std::span<const ArcId> arcs,
                  const Deadline& deadline,

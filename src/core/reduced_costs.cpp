@@ -37,6 +37,21 @@ using Subtract = void (*)(const Term*, const double*, std::size_t, std::span<dou
 constexpr std::array<Subtract, kMostTerms + 1> kSubtract = {
     subtract<0>, subtract<1>, subtract<2>, subtract<3>, subtract<4>, subtract<5>};
 
+// In rounds of equal size, so that none has just one dimension.
+void subtract_all(std::span<const Term> terms,
+                  const double* costs,
+                  std::size_t first,
+                  std::span<double> r) {
+  const double* from = costs + first;
+  std::size_t rounds = std::max<std::size_t>(1, (terms.size() + kMostTerms - 1) / kMostTerms);
+  for (; rounds > 0; --rounds) {
+    const std::size_t count = (terms.size() + rounds - 1) / rounds;
+    kSubtract[count](terms.data(), from, first, r);
+    terms = terms.subspan(count);
+    from = r.data();
+  }
+}
+
 }  // namespace
 
 void reduced_costs(const Component& component,
@@ -46,20 +61,13 @@ void reduced_costs(const Component& component,
                    int from_dimension) {
   std::array<Term, kMaxDimensions> terms;
   const std::size_t skipped = static_cast<std::size_t>(from_dimension);
-  std::size_t left = component.sizes.size() - skipped;
-  for (std::size_t k = 0; k < left; ++k) {
+  const std::size_t num_terms = component.sizes.size() - skipped;
+  for (std::size_t k = 0; k < num_terms; ++k) {
     terms[k] = {component.indices[skipped + k].data(), u.data() + component.offset[skipped + k]};
   }
-  const Term* next = terms.data();
-  const double* from = component.costs.data() + first;
-  // Rounds of equal size, so that none has just one dimension.
-  std::size_t rounds = std::max<std::size_t>(1, (left + kMostTerms - 1) / kMostTerms);
-  for (; rounds > 0; --rounds) {
-    const std::size_t count = (left + rounds - 1) / rounds;
-    kSubtract[count](next, from, first, r);
-    next += count;
-    left -= count;
-    from = r.data();
+  for (std::size_t done = 0; done < r.size(); done += kReducedBlock) {
+    const auto block = r.subspan(done, std::min(kReducedBlock, r.size() - done));
+    subtract_all(std::span(terms).first(num_terms), component.costs.data(), first + done, block);
   }
 }
 

@@ -96,6 +96,7 @@ Shift make_shift(const Problem& problem, const Deadline& deadline) {
     for (const double cost : problem.singleton_costs(k)) {
       base.push_back(cost < kInfinity ? cost : shift.penalty);
       shift.constant += base.back();
+      shift.is_free = shift.is_free && base.back() == 0;
     }
   }
   return shift;

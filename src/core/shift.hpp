@@ -24,6 +24,7 @@ struct Shift {
       offset;           ///< slot of the dummy of dimension k; slot(k, i) = offset[k] + i
   double constant = 0;  ///< sum of all base: the cost of choosing nothing
   double penalty = 0;   ///< 0 when no singleton is forbidden
+  bool is_free = true;  ///< every charge is 0: c' = c
 };
 
 /// Where the deadline strikes before the penalty is known it is 0: the shift is then good for
@@ -32,6 +33,7 @@ Shift make_shift(const Problem& problem, const Deadline& deadline = {});
 
 /// c'[a], rounded once: charges may cancel, and then what is left of the cost decides.
 inline double shifted_cost(const Problem& problem, const Shift& shift, std::size_t a) {
+  if (shift.is_free) return problem.costs()[a];
   DoubleDouble cost(problem.costs()[a]);
   for (int k = 0; k < problem.num_dimensions(); ++k) {
     cost.add(-shift.base[static_cast<std::size_t>(k)][problem.indices(k)[a]]);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/reduced_costs.hpp"
+
 // Every solution costs sum u + sum of r over its arcs + sum of -u over its uncovered indices, and
 // all terms but the first are >= 0.  So lower + r[a] bounds what a costs at least, and lower - u_i
 // what leaving i uncovered costs at least.  The second rule looks at one index: exactly one of its
@@ -47,9 +49,9 @@ std::vector<Uses> cheapest_uses(const Component& component,
 
 Fixing fix(const Component& component, std::span<const double> u, double lower, double cutoff) {
   Fixing fixing;
-  for (ArcId a = 0; a < component.num_arcs(); ++a) {
-    if (lower + core::reduced_cost(component, u, a) < cutoff) fixing.live.push_back(a);
-  }
+  core::for_each_reduced_cost(component, u, {}, [&](ArcId a, double r) {
+    if (lower + r < cutoff) fixing.live.push_back(a);
+  });
   const std::vector<Uses> uses = cheapest_uses(component, u, fixing.live);
   std::vector<bool> covered(component.num_slots(), false);
   for (std::uint32_t slot = 0; slot < component.num_slots(); ++slot) {

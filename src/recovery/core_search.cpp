@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/slices.hpp"
+#include "core/reduced_costs.hpp"
 #include "recovery/greedy.hpp"
 #include "recovery/local_search.hpp"
 #include "recovery/neighbourhood_search.hpp"
@@ -63,10 +63,8 @@ std::vector<ArcId> core_arcs(const Component& component,
                              const core::Deadline& deadline) {
   const std::size_t limit = std::min(arcs_per_index * component.num_indices(), kMostCoreArcs);
   Cheapest cheapest(gap, std::max<std::size_t>(1, limit));
-  core::for_each_until(deadline, component.num_arcs(), [&](std::size_t a) {
-    const ArcId arc = static_cast<ArcId>(a);
-    cheapest.add(core::reduced_cost(component, u, arc), arc);
-  });
+  core::for_each_reduced_cost(
+      component, u, deadline, [&](ArcId a, double r) { cheapest.add(r, a); });
   std::vector<ArcId> arcs(keep.begin(), keep.end());
   cheapest.append_to(arcs);
   std::sort(arcs.begin(), arcs.end());

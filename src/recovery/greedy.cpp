@@ -5,6 +5,7 @@
 #include <numeric>
 #include <vector>
 
+#include "core/reduced_costs.hpp"
 #include "core/slices.hpp"
 #include "recovery/packing_state.hpp"
 
@@ -33,11 +34,10 @@ core::Packing dual_greedy(const core::Component& component,
                           std::span<const double> u,
                           const core::Deadline& deadline) {
   std::vector<double> key(component.num_arcs());
-  for (ArcId a = 0; a < key.size(); ++a) {
-    // Among arcs of equal reduced cost (the multipliers make thousands of zeros) the cheaper one
-    // first.
-    key[a] = core::reduced_cost(component, u, a) + 1e-6 * component.costs[a];
-  }
+  core::reduced_costs(component, u, 0, key);
+  // Among arcs of equal reduced cost (the multipliers make thousands of zeros) the cheaper one
+  // first.
+  for (ArcId a = 0; a < key.size(); ++a) key[a] += 1e-6 * component.costs[a];
   return greedy(component, key, deadline);
 }
 

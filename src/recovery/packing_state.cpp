@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/reduced_costs.hpp"
 #include "core/slices.hpp"
 
 namespace nda::recovery {
@@ -43,8 +44,8 @@ ArcSlots::ArcSlots(const Component& component) {
 
 std::vector<double> reduced_costs(const Component& component, std::span<const double> u) {
   std::vector<double> reduced(component.num_arcs());
-  for (ArcId a = 0; a < reduced.size(); ++a)
-    reduced[a] = std::max(0.0, core::reduced_cost(component, u, a));
+  core::reduced_costs(component, u, 0, reduced);
+  for (double& r : reduced) r = std::max(0.0, r);
   return reduced;
 }
 

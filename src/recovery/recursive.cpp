@@ -43,38 +43,49 @@ class Builder {
     std::sort(rows.begin(), rows.end());
     std::vector<Index> sizes = {static_cast<Index>(rows.size())};
     sizes.insert(sizes.end(), component_.sizes.begin() + 2, component_.sizes.end());
-    result_.component = core::make_component(std::move(sizes));
+    Component& component = result_.component;
+    component = core::make_component(std::move(sizes));
     result_.default_arc.assign(rows.size() + 1, kNoArc);
     if (cells.num_free() > 0) add_row(0, cells.num_free(), 0);
     core::for_each_until(deadline_, rows.size(), [&](std::size_t j) {
       const std::uint32_t cell = rows[j];
       add_row(cells.first_arc[cell], cells.first_arc[cell + 1], static_cast<Index>(j + 1));
     });
+    const std::span<Index> row = component.indices[0].allocate(row_.size());
+    std::copy(row_.begin(), row_.end(), row.begin());
+    for (std::size_t k = 2; k < component_.sizes.size(); ++k) copy_column(k);
     return std::move(result_);
   }
 
  private:
-  // Of the arcs of a cell.
+  void copy_column(std::size_t k) {
+    const std::vector<ArcId>& arcs = result_.component.arc_origin;
+    const Index* from = component_.indices[k].data();
+    const std::span<Index> to = result_.component.indices[k - 1].allocate(arcs.size());
+    for (std::size_t n = 0; n < arcs.size(); ++n) to[n] = from[arcs[n]];
+  }
+
+  // Row j, of arcs first..end-1 of a cell.
   void add_row(ArcId first, ArcId end, Index j) {
     double base = 0;
     // (j, 0..0) is lexicographically the first arc of its cell.
     if (ends_here(component_, first)) {
       base = std::min(0.0, component_.costs[first]);
       if (base < 0) result_.default_arc[j] = first;
+      ++first;
     }
+    Component& component = result_.component;
     for (ArcId a = first; a < end; ++a) {
-      if (ends_here(component_, a) || component_.costs[a] - base >= 0) continue;
-      result_.component.indices[0].push_back(j);
-      for (std::size_t k = 2; k < component_.sizes.size(); ++k) {
-        result_.component.indices[k - 1].push_back(component_.indices[k][a]);
-      }
-      result_.component.costs.push_back(component_.costs[a] - base);
-      result_.component.arc_origin.push_back(a);
+      if (component_.costs[a] - base >= 0) continue;
+      row_.push_back(j);
+      component.costs.push_back(component_.costs[a] - base);
+      component.arc_origin.push_back(a);
     }
   }
 
   const Component& component_;
   const Deadline& deadline_;
+  std::vector<Index> row_;  // of every arc of the result
   RecoveryProblem result_;
 };
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/reduced_costs.hpp"
+
 // Coordinate ascent on the fully relaxed dual is min-marginal averaging: with everything else
 // fixed, q as a function of u_i rises with slope 1 up to the cheapest use of index i, is flat up to
 // the second cheapest, and falls beyond.  The middle of the flat part leaves room to both sides,
@@ -15,12 +17,11 @@ using core::ArcId;
 double SeparableDual::evaluate(std::span<const double> u, std::span<double> subgradient) {
   std::fill(subgradient.begin(), subgradient.end(), 0.0);
   double value = 0;
-  for (ArcId a = 0; a < component_.num_arcs(); ++a) {
-    const double r = core::reduced_cost(component_, u, a);
-    if (r >= 0) continue;
+  core::for_each_reduced_cost(component_, u, {}, [&](ArcId a, double r) {
+    if (r >= 0) return;
     value += r;
     core::for_each_slot(component_, a, [&](std::uint32_t slot) { subgradient[slot] -= 1.0; });
-  }
+  });
   for (std::size_t slot = 0; slot < u.size(); ++slot) {
     value += std::min(0.0, u[slot]);
     if (u[slot] < 0 || (u[slot] == 0 && subgradient[slot] < 0)) subgradient[slot] += 1.0;
@@ -36,10 +37,9 @@ double SeparableDual::ascend(std::size_t block, std::span<double> u) {
   best_.assign(values.size(), 0.0);
   second_.assign(values.size(), kInfinity);
   double before = 0;
-  for (ArcId a = 0; a < component_.num_arcs(); ++a) {
+  core::for_each_reduced_cost(component_, u, {}, [&](ArcId a, double r) {
     const Index i = index[a];
-    if (i == 0) continue;
-    const double r = core::reduced_cost(component_, u, a);
+    if (i == 0) return;
     before += std::min(0.0, r);
     const double use = r + values[i];
     if (use < best_[i]) {
@@ -48,7 +48,7 @@ double SeparableDual::ascend(std::size_t block, std::span<double> u) {
     } else {
       second_[i] = std::min(second_[i], use);
     }
-  }
+  });
   double after = 0;
   for (std::size_t i = 1; i < values.size(); ++i) {
     before += std::min(0.0, values[i]);

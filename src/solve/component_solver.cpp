@@ -7,6 +7,7 @@
 #include "bnb/branch_and_bound.hpp"
 #include "bnb/enumerate.hpp"
 #include "core/random.hpp"
+#include "core/reduced_costs.hpp"
 #include "cutting/leaf_search.hpp"
 #include "cutting/widening.hpp"
 #include "decompose/components.hpp"
@@ -158,10 +159,9 @@ bool ComponentSolver::is_large() const {
 // Those that reduced costs leave.
 std::vector<ArcId> ComponentSolver::live_arcs() const {
   std::vector<ArcId> live;
-  for (ArcId a = 0; a < component_.num_arcs(); ++a) {
-    const double r = core::reduced_cost(component_, state_.u, a);
+  core::for_each_reduced_cost(component_, state_.u, {}, [&](ArcId a, double r) {
     if (state_.certificate + r < cutoff()) live.push_back(a);
-  }
+  });
   return live;
 }
 
