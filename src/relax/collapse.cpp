@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <array>
 
+#include "core/min_max.hpp"
 #include "core/reduced_costs.hpp"
 
 // Most of the relaxation's time goes into this loop (report, section 5: "the dominant computational
 // part is the evaluation of the relaxed two-dimensional cost coefficients").  Three things keep a
 // processor from loading as fast as it could:
 //   - Which arc attains the minimum.  Every new minimum is a jump that was not foreseen, or a chain
-//     of moves; the assignment takes few of the cells.  So only the minimum is computed, and
-//     cheapest_arc() finds the arc where it is wanted.  The report breaks ties by the
-//     lexicographically smallest tuple, which is the first arc.
+//     of moves; the assignment takes few of the cells.  So only the minimum is computed, and where
+//     some arcs that hold it begin; cheapest_arc() looks through these where the arc is wanted. The
+//     report breaks ties by the lexicographically smallest tuple, which is the first arc.
 //   - The end of a cell is not foreseen either.  Cells of a few arcs are therefore not taken one by
 //     one: all arcs pass by, the minimum is forgotten where a cell begins, and is written after
 //     every arc.
@@ -24,10 +25,17 @@ namespace {
 
 using core::ArcId;
 using core::Component;
+using core::max_of;
+using core::min_of;
 
-// Cells of fewer arcs on average are not taken one by one, and runs of fewer not as such; measured.
+// Cells of fewer arcs on average are not taken one by one, and runs of fewer not as such, nor runs
+// of medium length where there are more of them than a processor learns the ends of; measured.
 constexpr std::size_t kLongCell = 16;
-constexpr std::size_t kLongRun = 12;
+constexpr std::size_t kMediumRun = 12;
+constexpr std::size_t kLongRun = 32;
+constexpr std::size_t kMostMediumRuns = 2000;
+// Arcs that are looked through for one of them.
+constexpr ArcId kBlock = 16;
 
 struct Relaxed {
   const Index* index;
@@ -83,25 +91,43 @@ class Collapse {
         num_relaxed_(component.sizes.size() - 2),
         relaxed_(relaxed_columns(component, u)) {}
 
-  void by_cells(std::span<double> d) const {
+  void by_cells(std::span<double> d, std::span<ArcId> from) const {
     for (std::size_t cell = 0; cell < d.size(); ++cell) {
-      d[cell] = least<false>(cells_.first_arc[cell], cells_.first_arc[cell + 1], 0.0);
+      Least best{kInfinity, cells_.first_arc[cell]};
+      const ArcId end = cells_.first_arc[cell + 1];
+      ArcId a = cells_.first_arc[cell];
+      for (; a + kBlock <= end; a += kBlock) best.improve(least<false>(a, a + kBlock, 0.0), a);
+      if (a < end) best.improve(least<false>(a, end, 0.0), a);
+      d[cell] = best.value;
+      from[cell] = best.from;
     }
   }
 
-  void by_runs(std::span<double> d) const {
+  void by_runs(std::span<double> d, std::span<ArcId> from) const {
     for (std::size_t cell = 0; cell < d.size(); ++cell) {
-      double best = kInfinity;
+      Least best{kInfinity, cells_.first_arc[cell]};
       for (std::uint32_t run = cells_.first_run[cell]; run < cells_.first_run[cell + 1]; ++run) {
         const double shared = relaxed_[0].u[cells_.run_index[run]];
-        best = std::min(
-            best, least<true>(cells_.first_run_arc[run], cells_.first_run_arc[run + 1], shared));
+        const ArcId a = cells_.first_run_arc[run];
+        best.improve(least<true>(a, cells_.first_run_arc[run + 1], shared), a);
       }
-      d[cell] = best;
+      d[cell] = best.value;
+      from[cell] = best.from;
     }
   }
 
  private:
+  // The least so far, and where the arcs begin that hold it; without a jump.
+  struct Least {
+    double value;
+    ArcId from;
+
+    void improve(double other, ArcId other_from) {
+      from = other < value ? other_from : from;
+      value = min_of(value, other);
+    }
+  };
+
   // Over arcs a..end-1; `shared` is the multiplier of the first relaxed dimension if kShared.  Two
   // minima at a time do not wait for one another.
   template <bool kShared>
@@ -109,11 +135,11 @@ class Collapse {
     double even = kInfinity;
     double odd = kInfinity;
     for (; a + 1 < end; a += 2) {
-      even = std::min(even, reduced<kShared>(a, shared));
-      odd = std::min(odd, reduced<kShared>(a + 1, shared));
+      even = min_of(even, reduced<kShared>(a, shared));
+      odd = min_of(odd, reduced<kShared>(a + 1, shared));
     }
-    if (a < end) even = std::min(even, reduced<kShared>(a, shared));
-    return std::min(even, odd);
+    if (a < end) even = min_of(even, reduced<kShared>(a, shared));
+    return min_of(even, odd);
   }
 
   template <bool kShared>
@@ -137,12 +163,13 @@ template <std::size_t kRelaxed>
 void collapse_long(const Component& component,
                    const Cells& cells,
                    std::span<const double> u,
-                   std::span<double> d) {
+                   std::span<double> d,
+                   std::span<ArcId> from) {
   const Collapse<kRelaxed> ways(component, cells, u);
   if (cells.run_index.empty()) {
-    ways.by_cells(d);
+    ways.by_cells(d, from);
   } else {
-    ways.by_runs(d);
+    ways.by_runs(d, from);
   }
 }
 
@@ -161,7 +188,7 @@ void collapse_short(const Component& component,
     for (std::size_t n = 0; n < count; ++n) {
       const std::size_t begin = *begins++;
       cell += begin;
-      best = std::min(r[n], std::max(best, kForget[begin]));
+      best = min_of(max_of(best, kForget[begin]), r[n]);
       d[cell] = best;
     }
     a += static_cast<ArcId>(count);
@@ -187,7 +214,9 @@ Cells find_cells(const Component& component) {
     mark_beginnings(cells);
   } else if (component.num_dimensions() > 3) {
     find_runs(component.indices[2], cells);
-    if (num_arcs < kLongRun * cells.run_index.size()) forget_runs(cells);
+    const std::size_t num_runs = cells.run_index.size();
+    const std::size_t least_length = num_runs > kMostMediumRuns ? kLongRun : kMediumRun;
+    if (num_arcs < least_length * num_runs) forget_runs(cells);
   }
   return cells;
 }
@@ -195,42 +224,41 @@ Cells find_cells(const Component& component) {
 void collapse(const Component& component,
               const Cells& cells,
               std::span<const double> u,
-              std::span<double> d) {
-  if (!cells.begins_cell.empty()) return collapse_short(component, cells, u, d);
+              std::span<double> d,
+              std::span<ArcId> from) {
+  if (!cells.begins_cell.empty()) {
+    std::copy_n(cells.first_arc.begin(), from.size(), from.begin());
+    return collapse_short(component, cells, u, d);
+  }
   switch (component.num_dimensions()) {
     case 3:
-      return collapse_long<1>(component, cells, u, d);
+      return collapse_long<1>(component, cells, u, d, from);
     case 4:
-      return collapse_long<2>(component, cells, u, d);
+      return collapse_long<2>(component, cells, u, d, from);
     case 5:
-      return collapse_long<3>(component, cells, u, d);
+      return collapse_long<3>(component, cells, u, d, from);
     case 6:
-      return collapse_long<4>(component, cells, u, d);
+      return collapse_long<4>(component, cells, u, d, from);
     case 7:
-      return collapse_long<5>(component, cells, u, d);
+      return collapse_long<5>(component, cells, u, d, from);
     case 8:
-      return collapse_long<6>(component, cells, u, d);
+      return collapse_long<6>(component, cells, u, d, from);
     default:
-      return collapse_long<kAny>(component, cells, u, d);
+      return collapse_long<kAny>(component, cells, u, d, from);
   }
 }
 
-ArcId cheapest_arc(const Component& component,
-                   const Cells& cells,
-                   std::uint32_t cell,
-                   std::span<const double> u,
-                   double d) {
-  std::array<double, 64> r;
-  const ArcId first = cells.first_arc[cell];
-  const ArcId end = cells.first_arc[cell + 1];
-  for (ArcId a = first; a < end;) {
-    const std::span<double> block = std::span(r).first(std::min<std::size_t>(r.size(), end - a));
+ArcId cheapest_arc(
+    const Component& component, std::span<const double> u, ArcId from, ArcId end, double d) {
+  std::array<double, kBlock> r;
+  for (ArcId a = from; a < end;) {
+    const std::span<double> block = std::span(r).first(std::min(kBlock, end - a));
     core::reduced_costs(component, u, a, block, 2);
     const auto found = std::find(block.begin(), block.end(), d);
     if (found != block.end()) return a + static_cast<ArcId>(found - block.begin());
     a += static_cast<ArcId>(block.size());
   }
-  return first;
+  return from;
 }
 
 }  // namespace nda::relax

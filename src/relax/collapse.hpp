@@ -35,19 +35,21 @@ Cells find_cells(const core::Component& component);
 ///
 ///     d[cell] = min over its arcs of  c'[a] - sum over k >= 2 of u[slot(k, a)].
 ///
-/// u has num_slots() entries (those of dimensions 0 and 1 are ignored), the dummies' are 0.
-/// Cost: O(A N); no allocation.  docs/benchmarks/roofline.md compares it with what the machine can
-/// do.
+/// from[cell] is an arc of the cell that has the first that attains d[cell] after it, or is that. u
+/// has num_slots() entries (those of dimensions 0 and 1 are ignored), the dummies' are 0.  Cost:
+/// O(A N); no allocation.  docs/benchmarks/roofline.md compares it with what the machine can do.
 void collapse(const core::Component& component,
               const Cells& cells,
               std::span<const double> u,
-              std::span<double> d);
+              std::span<double> d,
+              std::span<core::ArcId> from);
 
-/// The first arc of a cell that attains d = d[cell] of the same u.  Cost: O(arcs of the cell * N).
+/// The first arc of a cell that attains d = d[cell] of the same u: from = from[cell], end is the
+/// end of the cell.  Cost: O(N) per arc between, some dozens as a rule.
 core::ArcId cheapest_arc(const core::Component& component,
-                         const Cells& cells,
-                         std::uint32_t cell,
                          std::span<const double> u,
+                         core::ArcId from,
+                         core::ArcId end,
                          double d);
 
 }  // namespace nda::relax

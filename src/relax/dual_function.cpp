@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/min_max.hpp"
 #include "core/reduced_costs.hpp"
 
 // Report, sections 3.1 and 4.1, for m = 2, with three liberties.
@@ -109,6 +110,7 @@ DualFunction::DualFunction(const Component& component,
       num_slots_(component.num_slots()),
       slot_u_(num_slots_, 0.0),
       d_(cells_.num_cells()),
+      cell_from_(cells_.num_cells()),
       assignment_(std::make_unique<Assignment>(component, cells_, method, deadline)) {
   first_slot_ =
       component.num_dimensions() > 2 ? component.offset[2] : static_cast<std::uint32_t>(num_slots_);
@@ -118,7 +120,7 @@ DualFunction::~DualFunction() = default;
 
 double DualFunction::evaluate(std::span<const double> u, std::span<double> subgradient) {
   std::copy(u.begin(), u.end(), slot_u_.begin() + first_slot_);
-  collapse(component_, cells_, slot_u_, d_);
+  collapse(component_, cells_, slot_u_, d_, cell_from_);
   interrupted_ = !assignment_->solve(d_);
 
   double value = assignment_->result.cost;
@@ -160,7 +162,8 @@ void DualFunction::choose(std::span<double> subgradient) {
 
 void DualFunction::take_cell(std::uint32_t cell, std::span<double> subgradient) {
   aligned_cells_.push_back(cell);
-  use(cheapest_arc(component_, cells_, cell, slot_u_, d_[cell]), subgradient);
+  const ArcId end = cells_.first_arc[cell + 1];
+  use(cheapest_arc(component_, slot_u_, cell_from_[cell], end, d_[cell]), subgradient);
 }
 
 // Those of cell (0, 0).
@@ -202,12 +205,15 @@ void DualFunction::multipliers(std::span<double> all) const {
 double make_feasible(const Component& component,
                      std::span<double> u,
                      const core::Deadline& deadline) {
-  std::vector<double> least;
+  std::vector<double> least_of;
   for (std::size_t k = component.sizes.size(); k-- > 0;) {
-    const core::Column& index = component.indices[k];
+    const Index* index = component.indices[k].data();
     const std::span<double> block = u.subspan(component.offset[k], component.sizes[k] + 1);
-    least.assign(block.size(), kInfinity);
-    const auto note = [&](ArcId a, double r) { least[index[a]] = std::min(least[index[a]], r); };
+    least_of.assign(block.size(), kInfinity);
+    const std::span<double> least(least_of);
+    const auto note = [least, index](ArcId a, double r) {
+      least[index[a]] = core::min_of(least[index[a]], r);
+    };
     if (!core::for_each_reduced_cost(component, u, deadline, note)) return -kInfinity;
     for (std::size_t i = 1; i < block.size(); ++i) block[i] = std::min(0.0, block[i] + least[i]);
   }

@@ -78,8 +78,9 @@ class DualFunction : public dual::ConcaveFunction {
   Cells cells_;
   std::uint32_t first_slot_ = 0;
   std::size_t num_slots_ = 0;
-  std::vector<double> slot_u_;  // multipliers by slot, as collapse() wants them
-  std::vector<double> d_;       // [cell]
+  std::vector<double> slot_u_;          // multipliers by slot, as collapse() wants them
+  std::vector<double> d_;               // [cell]
+  std::vector<core::ArcId> cell_from_;  // [cell]: where collapse() says that its arc is
   std::vector<core::ArcId> chosen_;
   std::vector<std::uint32_t> aligned_cells_;
   std::unique_ptr<Assignment> assignment_;

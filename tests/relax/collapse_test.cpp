@@ -54,13 +54,14 @@ TEST(Collapse, TakesTheFirstOfEqualArcs) {
   const Cells cells = find_cells(component);
   std::vector<double> u(component.num_slots(), 0.0);
   std::vector<double> d(1);
-  collapse(component, cells, u, d);
+  std::vector<ArcId> from(1);
+  collapse(component, cells, u, d, from);
   EXPECT_EQ(d[0], -3);
-  EXPECT_EQ(cheapest_arc(component, cells, 0, u, d[0]), 1u);
+  EXPECT_EQ(cheapest_arc(component, u, from[0], 3, d[0]), 1u);
   u[component.offset[2] + 1] = 2;  // -1 - 2: a tie of all three
-  collapse(component, cells, u, d);
+  collapse(component, cells, u, d, from);
   EXPECT_EQ(d[0], -3);
-  EXPECT_EQ(cheapest_arc(component, cells, 0, u, d[0]), 0u);
+  EXPECT_EQ(cheapest_arc(component, u, from[0], 3, d[0]), 0u);
 }
 
 // Dense over (row, column): cheapest reduced cost and first arc of every pair, by three loops.  To
@@ -68,7 +69,8 @@ TEST(Collapse, TakesTheFirstOfEqualArcs) {
 void expect_naive(const Component& component, std::span<const double> u) {
   const Cells cells = find_cells(component);
   std::vector<double> d(cells.num_cells());
-  collapse(component, cells, u, d);
+  std::vector<ArcId> from(cells.num_cells());
+  collapse(component, cells, u, d, from);
   std::uint32_t cell = 0;
   for (Index i = 0; i <= component.sizes[0]; ++i) {
     for (Index j = i == 0 ? 1 : 0; j <= component.sizes[1]; ++j) {
@@ -87,7 +89,8 @@ void expect_naive(const Component& component, std::span<const double> u) {
       EXPECT_EQ(cells.row[cell], i);
       EXPECT_EQ(cells.column[cell], j);
       EXPECT_EQ(d[cell], best);
-      EXPECT_EQ(cheapest_arc(component, cells, cell, u, d[cell]), best_arc);
+      EXPECT_EQ(cheapest_arc(component, u, from[cell], cells.first_arc[cell + 1], d[cell]),
+                best_arc);
       ++cell;
     }
   }
