@@ -132,6 +132,7 @@ NDA_BENCH_AVX2 void gathered(const Component& component,
                              std::span<ArcId>) {
   const Columns<Index> columns = columns_of(component, u);
   const double* cost = component.costs.data();
+  const __m256d all = _mm256_castsi256_pd(_mm256_set1_epi64x(-1));
   for (std::size_t cell = 0; cell < d.size(); ++cell) {
     __m256d least = _mm256_set1_pd(kInfinity);
     ArcId a = cells.first_arc[cell];
@@ -140,7 +141,9 @@ NDA_BENCH_AVX2 void gathered(const Component& component,
       __m256d r = _mm256_loadu_pd(cost + a);
       for (std::size_t k = 0; k < kRelaxed; ++k) {
         const auto* index = reinterpret_cast<const __m128i*>(columns.index[k] + a);
-        r = _mm256_sub_pd(r, _mm256_i32gather_pd(columns.u[k], _mm_loadu_si128(index), 8));
+        const __m256d u_k = _mm256_mask_i32gather_pd(
+            _mm256_setzero_pd(), columns.u[k], _mm_loadu_si128(index), all, 8);
+        r = _mm256_sub_pd(r, u_k);
       }
       least = _mm256_min_pd(least, r);
     }
