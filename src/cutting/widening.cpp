@@ -20,7 +20,8 @@ constexpr double kFirstReach = 0.125;  // of the gap
 constexpr double kWidenFast = 2;
 constexpr double kWidenSlowly = 1.5;
 constexpr std::int64_t kFewNodes = 15;
-constexpr double kPrimalShare = 0.25;
+constexpr double kPrimalShare = 2;  // at first, of the work of pivots: separation is as dear
+constexpr double kLeastPrimalShare = 0.25;
 // Rounds of cuts before the first, the second call for better packings, and after that.
 constexpr std::array<int, 3> kRounds = {1, 30, 200};
 
@@ -47,8 +48,9 @@ class Widening {
     if (limits_.max_nodes > 0 && tighten()) {
       double reach = kFirstReach * (cutoff_ - master_.lower());
       while (search(master_.lower() + reach)) {
-        reach *= last_tree_nodes_ < kFewNodes ? kWidenFast : kWidenSlowly;
         improve();
+        const bool fast = last_tree_nodes_ < kFewNodes || primal_share_ < kPrimalShare;
+        reach *= fast ? kWidenFast : kWidenSlowly;
       }
     }
     result_.complete = result_.lower >= cutoff_;
@@ -127,13 +129,17 @@ class Widening {
     return found.complete && result_.lower < cutoff_;
   }
 
-  // Better packings get a share of the time that bounds got.
+  // Better packings get a share of the time that bounds got; a smaller one when none was found.
   double improve() {
     const std::int64_t pivots = master_.simplex_iterations() + circle_pivots_;
     const double work =
-        kPrimalShare * work_of_pivots(pivots - pivots_at_improve_, component_.num_slots());
+        primal_share_ * work_of_pivots(pivots - pivots_at_improve_, component_.num_slots());
     pivots_at_improve_ = pivots;
-    return cutoff_ = observer_.improve(master_, work);
+    const double before = cutoff_;
+    cutoff_ = observer_.improve(master_, work);
+    primal_share_ =
+        cutoff_ < before ? kPrimalShare : std::max(kLeastPrimalShare, primal_share_ / 2);
+    return cutoff_;
   }
 
   void raise(double lower) {
@@ -149,6 +155,7 @@ class Widening {
   Master master_;
   std::size_t proof_size_;   // before the circles
   bool exhaustive_ = false;  // the last circle holds all, and its tree was searched to the end
+  double primal_share_ = kPrimalShare;
   std::int64_t last_tree_nodes_ = 0;
   std::int64_t circle_pivots_ = 0;  // of all circles
   std::int64_t pivots_at_improve_ = 0;

@@ -31,7 +31,7 @@ struct WideningObserver {
   /// multipliers did not end it, when many rounds of cuts did not, and after every circle.  The
   /// first point has multipliers of indices only.  `work` (bnb::SlackLimits) is a share of what was
   /// done since the last call.  Returns the cutoff from now on.
-  std::function<double(const Master& point, double work)> improve;
+  std::function<double(Master& point, double work)> improve;
   /// No packing is cheaper than `lower`.
   std::function<void(double lower)> raise;
 };

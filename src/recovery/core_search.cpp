@@ -1,11 +1,13 @@
 #include "recovery/core_search.hpp"
 
 #include <algorithm>
+#include <numeric>
 
+#include "bnb/component_slack.hpp"
 #include "core/reduced_costs.hpp"
 #include "recovery/greedy.hpp"
 #include "recovery/local_search.hpp"
-#include "recovery/neighbourhood_search.hpp"
+#include "recovery/pool_search.hpp"
 
 // Good packings live where reduced costs are small.  Cutting the few promising arcs out first makes
 // every move of the local search independent of the size of the component: lists are short and
@@ -52,6 +54,24 @@ class Cheapest {
 
 // A core larger than this would no longer be quick to search, nor small beside its component.
 constexpr std::size_t kMostCoreArcs = 300000;
+
+void search_neighbourhoods(const Component& core,
+                           std::span<const double> u,
+                           double work,
+                           double goal,
+                           Packing& packing,
+                           core::Random& random,
+                           const core::Deadline& deadline) {
+  const bnb::ComponentSlack slack = bnb::slack_of(core, u, kInfinity, deadline);
+  if (deadline.reached()) return;
+  const double base = std::accumulate(u.begin(), u.end(), 0.0);
+  PoolSearchOptions options;
+  options.max_work = work;
+  options.goal = goal - base;
+  options.deadline = deadline;
+  search_pool(slack.problem, packing.arcs, options, random);
+  packing = core::make_packing(core, std::move(packing.arcs));
+}
 
 }  // namespace
 
@@ -107,8 +127,8 @@ Packing search_core(const Component& component,
       std::int64_t{options.kicks_per_index} * static_cast<std::int64_t>(size);
   LocalSearch(core, core_u, deadline).improve(packing, kicks, options.goal, random, deadline);
   if (options.neighbourhood_work > 0)
-    NeighbourhoodSearch(core, core_u, deadline)
-        .improve(packing, options.neighbourhood_work, options.goal, random, deadline);
+    search_neighbourhoods(
+        core, core_u, options.neighbourhood_work, options.goal, packing, random, deadline);
   if (packing.cost >= start.cost) return start;
   for (ArcId& a : packing.arcs) a = arcs[a];
   return packing;

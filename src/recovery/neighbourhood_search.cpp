@@ -2,21 +2,21 @@
 
 #include <algorithm>
 
-#include "bnb/slack_search.hpp"
-
 // Neighbourhoods grow along arcs that might replace what is there: from a freed index over one of
 // its cheap arcs to the owners of that arc's other indices.  Half of them start where the packing
 // loses most against the multipliers (the reduced cost of the owner, the price of an uncovered
 // index), the others anywhere.  Their size follows what the subproblem solver can finish: it grows
 // while searches are complete and shrinks when they are not (adaptive as in Pisinger & Ropke 2010).
+//
+// Cuts take part: what the arcs that stay leave of a cut's capacity is its capacity in the
+// subproblem.  After many rounds of cuts the slack of a good packing is a third of what the
+// indices' multipliers alone would call slack, and neighbourhoods of twice the size can be seen
+// through.
 
 namespace nda::recovery {
 namespace {
 
-using core::ArcId;
-using core::Component;
-
-constexpr std::uint32_t kNoRow = ~std::uint32_t{0};
+constexpr std::uint32_t kNone = SlackPacking::kNone;
 constexpr double kFirstSize = 4;
 constexpr double kLeastSize = 2;
 constexpr double kGrowth = 0.05;
@@ -24,7 +24,7 @@ constexpr double kShrinking = 0.5;
 constexpr double kWorkPerAttempt = 3e5;    // a millisecond
 constexpr double kWorkOfSettingUp = 5000;  // even where nothing is looked at
 constexpr std::uint64_t kChoices = 12;     // cheap arcs of an index
-constexpr int kStepsPerArc = 20;
+constexpr std::size_t kStepsPerArc = 20;
 constexpr double kBetter = 1e-9;
 constexpr std::uint64_t kAttemptsPerDetour = 4;
 // Shares of the gap: what a detour may cost, and how far they may lead from the best packing.
@@ -33,61 +33,80 @@ constexpr double kFarthest = 0.3;
 
 }  // namespace
 
-NeighbourhoodSearch::NeighbourhoodSearch(const Component& component,
-                                         std::span<const double> u,
-                                         const core::Deadline& deadline)
-    : component_(component),
-      reduced_(reduced_costs(component, u)),
-      slot_arcs_(component, reduced_, deadline),
-      arc_slots_(component),
-      state_(component),
-      is_freed_(component.num_slots(), 0),
-      row_(component.num_slots(), kNoRow),
-      listed_(component.num_arcs(), 0) {
-  for (std::uint32_t slot = 0; slot < component.num_slots(); ++slot) {
-    price_.push_back(std::max(0.0, -u[slot]));
-    if (!slot_arcs_[slot].empty()) used_.push_back(slot);
+NeighbourhoodSearch::NeighbourhoodSearch(const bnb::SlackProblem& problem)
+    : problem_(problem),
+      state_(problem),
+      is_freed_(problem.num_indices(), 0),
+      row_(problem.num_rows(), kNone),
+      taken_(problem.num_rows(), 0),
+      listed_(problem.num_arcs(), 0) {
+  list_arcs();
+}
+
+void NeighbourhoodSearch::list_arcs() {
+  start_.assign(problem_.num_indices() + std::size_t{1}, 0);
+  const auto for_each_index = [&](auto&& call) {
+    for (std::uint32_t arc = 0; arc < problem_.num_arcs(); ++arc) {
+      for (const bnb::RowUse& use : problem_.uses(arc)) {
+        if (state_.is_index(use.row)) call(arc, use.row);
+      }
+    }
+  };
+  for_each_index([&](std::uint32_t, std::uint32_t index) { ++start_[index + 1]; });
+  for (std::size_t index = 1; index < start_.size(); ++index) start_[index] += start_[index - 1];
+  arcs_.resize(start_.back());
+  std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
+  for_each_index([&](std::uint32_t arc, std::uint32_t index) { arcs_[next[index]++] = arc; });
+  for (std::uint32_t index = 0; index < problem_.num_indices(); ++index) {
+    std::sort(arcs_.begin() + static_cast<std::ptrdiff_t>(start_[index]),
+              arcs_.begin() + static_cast<std::ptrdiff_t>(start_[index + 1]),
+              [&](std::uint32_t a, std::uint32_t b) {
+                const double ra = problem_.reduced(a);
+                const double rb = problem_.reduced(b);
+                return ra != rb ? ra < rb : a < b;
+              });
+    if (!arcs_of(index).empty()) inner_.push_back(index);
   }
 }
 
-void NeighbourhoodSearch::improve(core::Packing& packing,
-                                  double max_work,
-                                  double goal,
-                                  core::Random& random,
-                                  const core::Deadline& deadline) {
-  if (used_.empty()) return;
-  state_.assign(packing);
+double NeighbourhoodSearch::improve(std::vector<std::uint32_t>& best,
+                                    const Limits& limits,
+                                    core::Random& random) {
+  if (inner_.empty()) return 0;
+  state_.assign(best);
+  double best_slack = state_.slack();
   double size = kFirstSize;
-  for (double work = 0; work < max_work && packing.cost > goal;) {
-    if (deadline.reached()) break;
+  double work = 0;
+  while (work < limits.max_work && best_slack > limits.goal && !limits.deadline.reached()) {
     free_around(choose_seed(random), static_cast<std::size_t>(size), random);
-    const double gap = goal > -kInfinity ? packing.cost - goal : 0;
+    const double gap = best_slack - std::max(0.0, limits.goal);
     const bool detour = !freed_.empty() && random.below(kAttemptsPerDetour) == 0;
-    const Attempt attempt = detour ? refill(freed_[random.below(freed_.size())],
-                                            random.uniform(0, kDetour) * gap,
-                                            deadline)
-                                   : refill(kNoArc, 0, deadline);
+    const Attempt attempt =
+        detour
+            ? refill(freed_[random.below(freed_.size())], random.uniform(0, kDetour) * gap, limits)
+            : refill(kNone, 0, limits);
     work += attempt.work + kWorkOfSettingUp + static_cast<double>(looked_at_);
     size = attempt.complete ? size + kGrowth : std::max(kLeastSize, size - kShrinking);
-    if (state_.cost() < packing.cost) {
-      const core::Packing found = state_.packing();
-      if (found.cost < packing.cost) packing = found;
-    } else if (state_.cost() > packing.cost + kFarthest * gap) {
-      state_.assign(packing);
+    if (state_.slack() < best_slack * (1 - kBetter)) {
+      best = state_.arcs();
+      best_slack = state_.slack();
+    } else if (state_.slack() > best_slack + kFarthest * gap) {
+      state_.assign(best);
     }
   }
+  return work;
 }
 
-double NeighbourhoodSearch::blame(std::uint32_t slot) const {
-  const ArcId owner = state_.owner(slot);
-  if (owner == kNoArc) return price_[slot];
-  return reduced_[owner] / static_cast<double>(arc_slots_[owner].size());
+double NeighbourhoodSearch::blame(std::uint32_t index) const {
+  const std::uint32_t arc = state_.owner(index);
+  return arc == kNone ? problem_.price(index)
+                      : problem_.reduced(arc) / static_cast<double>(problem_.uses(arc).size());
 }
 
 // Half of the seeds: the one with the largest share of the slack among a few.
 std::uint32_t NeighbourhoodSearch::choose_seed(core::Random& random) const {
   constexpr int kDraws = 8;
-  const auto draw = [&] { return used_[random.below(used_.size())]; };
+  const auto draw = [&] { return inner_[random.below(inner_.size())]; };
   std::uint32_t seed = draw();
   if (random.below(2) == 0) return seed;
   for (int n = 1; n < kDraws; ++n) {
@@ -97,99 +116,124 @@ std::uint32_t NeighbourhoodSearch::choose_seed(core::Random& random) const {
   return seed;
 }
 
-void NeighbourhoodSearch::free_arc(ArcId a) {
-  freed_.push_back(a);
-  for (const std::uint32_t slot : arc_slots_[a]) {
-    if (is_freed_[slot] == 0) freed_slots_.push_back(slot);
-    is_freed_[slot] = 1;
+void NeighbourhoodSearch::free_arc(std::uint32_t arc) {
+  freed_.push_back(arc);
+  for (const bnb::RowUse& use : problem_.uses(arc)) {
+    if (!state_.is_index(use.row)) break;
+    if (is_freed_[use.row] == 0) freed_indices_.push_back(use.row);
+    is_freed_[use.row] = 1;
   }
 }
 
 void NeighbourhoodSearch::free_around(std::uint32_t seed, std::size_t count, core::Random& random) {
-  for (const std::uint32_t slot : freed_slots_) is_freed_[slot] = 0;
+  for (const std::uint32_t index : freed_indices_) is_freed_[index] = 0;
   freed_.clear();
-  freed_slots_ = {seed};
+  freed_indices_ = {seed};
   is_freed_[seed] = 1;
-  if (state_.owner(seed) != kNoArc) free_arc(state_.owner(seed));
+  if (state_.owner(seed) != kNone) free_arc(state_.owner(seed));
   for (std::size_t step = 0; freed_.size() < count && step < kStepsPerArc * count; ++step) {
-    const std::span<const ArcId> arcs = slot_arcs_[freed_slots_[random.below(freed_slots_.size())]];
+    const std::span<const std::uint32_t> arcs =
+        arcs_of(freed_indices_[random.below(freed_indices_.size())]);
     if (arcs.empty()) continue;
-    const ArcId a = arcs[random.below(std::min<std::uint64_t>(kChoices, arcs.size()))];
-    for (const std::uint32_t slot : arc_slots_[a]) {
-      const ArcId owner = state_.owner(slot);
-      if (owner != kNoArc && is_freed_[slot] == 0) free_arc(owner);
+    const std::uint32_t arc = arcs[random.below(std::min<std::uint64_t>(kChoices, arcs.size()))];
+    for (const bnb::RowUse& use : problem_.uses(arc)) {
+      if (!state_.is_index(use.row)) break;
+      if (state_.owner(use.row) != kNone && is_freed_[use.row] == 0)
+        free_arc(state_.owner(use.row));
     }
   }
 }
 
-bool NeighbourhoodSearch::is_free(std::uint32_t slot) const {
-  return is_freed_[slot] != 0 || state_.owner(slot) == kNoArc;
-}
-
-bool NeighbourhoodSearch::fits(ArcId a) const {
-  const std::span<const std::uint32_t> slots = arc_slots_[a];
-  return std::all_of(slots.begin(), slots.end(), [&](std::uint32_t slot) { return is_free(slot); });
+bool NeighbourhoodSearch::fits(std::uint32_t arc) const {
+  for (const bnb::RowUse& use : problem_.uses(arc)) {
+    if (!state_.is_index(use.row)) break;
+    if (is_freed_[use.row] == 0 && state_.owner(use.row) != kNone) return false;
+  }
+  return true;
 }
 
 // Arcs that fit into what was freed.
-std::vector<ArcId> NeighbourhoodSearch::candidates(ArcId without) {
-  std::vector<ArcId> arcs;
+std::vector<std::uint32_t> NeighbourhoodSearch::candidates(std::uint32_t without,
+                                                           double most_reduced) {
+  std::vector<std::uint32_t> arcs;
   looked_at_ = 0;
-  for (const std::uint32_t slot : freed_slots_) {
-    for (const ArcId a : slot_arcs_[slot]) {
+  for (const std::uint32_t index : freed_indices_) {
+    for (const std::uint32_t arc : arcs_of(index)) {
       ++looked_at_;
-      if (listed_[a] != 0 || a == without || !fits(a)) continue;
-      listed_[a] = 1;
-      arcs.push_back(a);
+      if (problem_.reduced(arc) > most_reduced) break;
+      if (listed_[arc] != 0 || arc == without || !fits(arc)) continue;
+      listed_[arc] = 1;
+      arcs.push_back(arc);
     }
   }
-  for (const ArcId a : arcs) listed_[a] = 0;
+  for (const std::uint32_t arc : arcs) listed_[arc] = 0;
   return arcs;
 }
 
-std::uint32_t NeighbourhoodSearch::row_of(std::uint32_t slot) {
-  if (row_[slot] == kNoRow) {
-    row_[slot] = static_cast<std::uint32_t>(rows_.size());
-    rows_.push_back(slot);
-  }
-  return row_[slot];
+// The rows that freed arcs and candidates use, indices first.
+void NeighbourhoodSearch::list_rows(const std::vector<std::uint32_t>& arcs) {
+  rows_.clear();
+  const auto add = [&](std::uint32_t row) {
+    if (row_[row] != kNone) return;
+    row_[row] = 0;
+    rows_.push_back(row);
+  };
+  for (const std::uint32_t index : freed_indices_) add(index);
+  const auto add_rows_of = [&](std::span<const std::uint32_t> list) {
+    for (const std::uint32_t arc : list) {
+      for (const bnb::RowUse& use : problem_.uses(arc)) add(use.row);
+    }
+  };
+  add_rows_of(freed_);
+  add_rows_of(arcs);
+  std::stable_partition(
+      rows_.begin(), rows_.end(), [&](std::uint32_t row) { return state_.is_index(row); });
+  for (std::uint32_t n = 0; n < rows_.size(); ++n) row_[rows_[n]] = n;
 }
 
-// What the freed arcs, and the uncovered rows in their reach, cost beyond the multipliers.
+bnb::SlackProblem NeighbourhoodSearch::subproblem(const std::vector<std::uint32_t>& arcs) {
+  list_rows(arcs);
+  for (const std::uint32_t arc : freed_) {
+    for (const bnb::RowUse& use : problem_.uses(arc)) taken_[use.row] += use.coefficient;
+  }
+  const auto num_indices = std::count_if(
+      rows_.begin(), rows_.end(), [&](std::uint32_t row) { return state_.is_index(row); });
+  bnb::SlackProblem part(static_cast<std::uint32_t>(num_indices));
+  for (const std::uint32_t row : rows_) {
+    part.add_row(problem_.price(row), state_.left(row) + taken_[row]);
+    taken_[row] = 0;
+  }
+  std::vector<bnb::RowUse> uses;
+  for (const std::uint32_t arc : arcs) {
+    uses.clear();
+    for (const bnb::RowUse& use : problem_.uses(arc))
+      uses.push_back({row_[use.row], use.coefficient});
+    part.add_arc(problem_.reduced(arc), uses);
+  }
+  for (const std::uint32_t row : rows_) row_[row] = kNone;
+  return part;
+}
+
+// What the freed arcs, and what they leave of the rows in reach, cost beyond the multipliers.
 double NeighbourhoodSearch::slack_of_freed() const {
   double slack = 0;
-  for (const ArcId a : freed_) slack += reduced_[a];
-  for (const std::uint32_t slot : rows_) {
-    if (state_.owner(slot) == kNoArc) slack += price_[slot];
-  }
+  for (const std::uint32_t arc : freed_) slack += problem_.reduced(arc);
+  for (const std::uint32_t row : rows_) slack += state_.unused(row);
   return slack;
 }
 
-NeighbourhoodSearch::Attempt NeighbourhoodSearch::refill(ArcId without,
+NeighbourhoodSearch::Attempt NeighbourhoodSearch::refill(std::uint32_t without,
                                                          double allowed_rise,
-                                                         const core::Deadline& deadline) {
-  const std::vector<ArcId> arcs = candidates(without);
-  std::vector<bnb::RowUse> uses;
-  rows_.clear();
-  for (const std::uint32_t slot : freed_slots_) row_of(slot);
-  for (const ArcId a : arcs) {
-    for (const std::uint32_t slot : arc_slots_[a]) row_of(slot);
-  }
-  bnb::SlackProblem problem(static_cast<std::uint32_t>(rows_.size()));
-  for (const std::uint32_t slot : rows_) problem.add_row(price_[slot]);
-  for (const ArcId a : arcs) {
-    uses.clear();
-    for (const std::uint32_t slot : arc_slots_[a]) uses.push_back({row_[slot], 1});
-    problem.add_arc(reduced_[a], uses);
-  }
+                                                         const Limits& limits) {
+  const std::vector<std::uint32_t> arcs = candidates(without, limits.most_reduced);
+  const bnb::SlackProblem part = subproblem(arcs);
   const double budget = slack_of_freed() * (1 - kBetter) + allowed_rise;
-  for (const std::uint32_t slot : rows_) row_[slot] = kNoRow;
-  bnb::SlackLimits limits;
-  limits.max_work = kWorkPerAttempt;
-  limits.deadline = deadline;
-  const bnb::SlackResult result = bnb::search_slack(problem, budget, limits);
+  bnb::SlackLimits search;
+  search.max_work = kWorkPerAttempt;
+  search.deadline = limits.deadline;
+  const bnb::SlackResult result = bnb::search_slack(part, budget, search);
   if (result.slack < budget) {
-    for (const ArcId a : freed_) state_.remove(a);
+    for (const std::uint32_t arc : freed_) state_.remove(arc);
     for (const std::uint32_t n : result.arcs) state_.insert(arcs[n]);
   }
   return {result.complete, result.work};

@@ -4,34 +4,34 @@
 #include <span>
 #include <vector>
 
+#include "bnb/slack_search.hpp"
 #include "core/clock.hpp"
-#include "core/component.hpp"
 #include "core/random.hpp"
-#include "recovery/packing_state.hpp"
+#include "recovery/slack_packing.hpp"
 
 namespace nda::recovery {
 
-/// Large-neighbourhood search with exact subproblems over packings of one component.
+/// Large-neighbourhood search with exact subproblems over the packings of a slack problem.
 ///
 /// A neighbourhood is a few arcs of the packing that are taken out; the best way to fill the
 /// indices they leave, together with the uncovered ones in reach, is found by search_slack()
-/// (bnb/slack_search.hpp), which proves most neighbourhoods exhausted within a millisecond.
+/// (bnb/slack_search.hpp), which proves most neighbourhoods exhausted within a millisecond. The
+/// better the multipliers, those of cuts among them, the less slack there is to look through.
 class NeighbourhoodSearch {
  public:
-  /// Keeps a reference to the component.  u: feasible multipliers by slot (u <= 0, reduced costs >=
-  /// 0); good ones keep the subproblems small.
-  NeighbourhoodSearch(const core::Component& component,
-                      std::span<const double> u,
-                      const core::Deadline& deadline = {});
+  /// Keeps a reference to the problem.
+  explicit NeighbourhoodSearch(const bnb::SlackProblem& problem);
 
-  /// Improves a packing in place, stopping early at cost <= goal.  Deterministic for a given state
-  /// of `random`.
-  /// @param max_work  of the subproblems (bnb::SlackLimits), some 3e8 a second.
-  void improve(core::Packing& packing,
-               double max_work,
-               double goal,
-               core::Random& random,
-               const core::Deadline& deadline);
+  struct Limits {
+    double max_work = 0;              ///< of subproblems (bnb::SlackLimits), some 3e8 a second
+    double goal = 0;                  ///< a slack that ends the search
+    double most_reduced = kInfinity;  ///< reduced cost of arcs that may come in
+    core::Deadline deadline;
+  };
+
+  /// Improves a packing (arcs of the problem, ascending) in place; returns the work it took.
+  /// Deterministic for a given state of `random`.
+  double improve(std::vector<std::uint32_t>& packing, const Limits& limits, core::Random& random);
 
  private:
   struct Attempt {
@@ -39,31 +39,38 @@ class NeighbourhoodSearch {
     double work = 0;
   };
 
-  std::uint32_t choose_seed(core::Random& random) const;
-  void free_around(std::uint32_t seed, std::size_t count, core::Random& random);
-  void free_arc(core::ArcId a);
-  bool is_free(std::uint32_t slot) const;
-  bool fits(core::ArcId a) const;
-  Attempt refill(core::ArcId without, double allowed_rise, const core::Deadline& deadline);
-  std::vector<core::ArcId> candidates(core::ArcId without);
-  double slack_of_freed() const;
-  double blame(std::uint32_t slot) const;
-  std::uint32_t row_of(std::uint32_t slot);
+  std::span<const std::uint32_t> arcs_of(std::uint32_t index) const {
+    return std::span(arcs_).subspan(start_[index], start_[index + 1] - start_[index]);
+  }
+  void list_arcs();
 
-  const core::Component& component_;
-  std::vector<double> reduced_;  // [arc]
-  SlotArcs slot_arcs_;           // by reduced cost
-  ArcSlots arc_slots_;
-  PackingState state_;
-  std::vector<double> price_;        // [slot]: -u
-  std::vector<std::uint32_t> used_;  // slots with arcs
-  std::vector<core::ArcId> freed_;   // arcs of the neighbourhood
-  std::vector<std::uint32_t> freed_slots_;
-  std::vector<char> is_freed_;       // [slot]
-  std::vector<std::uint32_t> row_;   // [slot]: in the subproblem, kNoRow between attempts
-  std::vector<std::uint32_t> rows_;  // slots of the subproblem
-  std::size_t looked_at_ = 0;        // arcs, by the last candidates()
-  std::vector<char> listed_;         // [arc], 0 between attempts
+  std::uint32_t choose_seed(core::Random& random) const;
+  double blame(std::uint32_t index) const;
+  void free_around(std::uint32_t seed, std::size_t count, core::Random& random);
+  void free_arc(std::uint32_t arc);
+  bool fits(std::uint32_t arc) const;
+  Attempt refill(std::uint32_t without, double allowed_rise, const Limits& limits);
+  std::vector<std::uint32_t> candidates(std::uint32_t without, double most_reduced);
+  bnb::SlackProblem subproblem(const std::vector<std::uint32_t>& arcs);
+  void list_rows(const std::vector<std::uint32_t>& arcs);
+  double slack_of_freed() const;
+
+  const bnb::SlackProblem& problem_;
+  std::vector<std::size_t> start_;    // [index]
+  std::vector<std::uint32_t> arcs_;   // of indices, by reduced cost
+  std::vector<std::uint32_t> inner_;  // indices with arcs
+
+  SlackPacking state_;
+
+  // The neighbourhood.
+  std::vector<std::uint32_t> freed_;  // arcs
+  std::vector<std::uint32_t> freed_indices_;
+  std::vector<char> is_freed_;        // [index]
+  std::vector<std::uint32_t> rows_;   // of the subproblem, indices first
+  std::vector<std::uint32_t> row_;    // [row]: its number in the subproblem
+  std::vector<std::uint32_t> taken_;  // [row]: what freed arcs use of it; 0 between attempts
+  std::vector<char> listed_;          // [arc]; 0 between attempts
+  std::size_t looked_at_ = 0;         // arcs, by the last candidates()
 };
 
 }  // namespace nda::recovery

@@ -31,13 +31,6 @@ using core::Packing;
 
 constexpr std::int64_t kEnumerationNodes = 200000;
 constexpr int kFeasibleSweeps = 3;
-// Work of neighbourhood search: at first, for every index, and where the gap is wide, for every
-// pair of indices.
-constexpr double kFirstWork = 2e6;
-constexpr double kFirstWorkPerIndex = 2000;
-constexpr double kWideWorkPerPair = 5e4;
-constexpr double kMostWideWork = 5e8;
-constexpr double kWideGap = 0.05;
 // Above this the linear program would be too large to be of use, and memory runs out.
 constexpr std::size_t kMostCuttingArcs = 2000000;
 // What more evaluations and recoveries would find, a linear program and a search by its multipliers
@@ -213,8 +206,8 @@ void ComponentSolver::branch_and_cut(double allowed_gap) {
     offer(packing, "branch and cut");
     return goal();
   };
-  observer.improve = [&](const cutting::Master& point, double work) {
-    improve(core, point, work);
+  observer.improve = [&](cutting::Master& point, double work) {
+    improve(core, live, point, work);
     return goal();
   };
   observer.raise = [&](double lower) { raise_bound(std::min(lower, goal()), "cuts"); };
@@ -321,50 +314,6 @@ void ComponentSolver::accept_multipliers(std::vector<double> u,
   state_.u = std::move(u);
   state_.certificate = certificate;
   raise_bound(certificate, event);
-}
-
-double ComponentSolver::first_work() const {
-  return kFirstWork + kFirstWorkPerIndex * static_cast<double>(component_.num_indices());
-}
-
-double ComponentSolver::wide_work() const {
-  const auto size = static_cast<double>(component_.num_indices());
-  return std::min(kMostWideWork, kWideWorkPerPair * size * size);
-}
-
-// What branch and cut leaves to the search for packings.
-void ComponentSolver::improve(const Component& core, const cutting::Master& point, double work) {
-  if (++improvements_ == 1) {
-    adopt_multipliers(core, point.u());
-    if (!searched_) search(first_work());
-  } else if (improvements_ == 2 && is_wide()) {
-    search(wide_work());
-  } else {
-    search(work);
-  }
-}
-
-void ComponentSolver::search(double work) {
-  if (state_.complete || !options_.search.local_search || deadline_.reached()) return;
-  recovery::CoreSearchOptions search;
-  search.kicks_per_index = searched_ ? 0 : options_.search.kicks_per_index;
-  search.neighbourhood_work = work;
-  search.goal = state_.lower + precision_.error;
-  core::Random random(seed_ + static_cast<std::uint64_t>(improvements_));
-  searched_ = true;
-  offer(recovery::search_core(component_,
-                              state_.u,
-                              state_.best.cost - state_.certificate,
-                              state_.best,
-                              search,
-                              random,
-                              deadline_),
-        "neighbourhoods");
-}
-
-// With a gap that wide a proof is far away; better solutions are not.
-bool ComponentSolver::is_wide() const {
-  return state_.best.cost - state_.lower > kWideGap * std::abs(state_.best.cost);
 }
 
 void ComponentSolver::branch(double allowed_gap) {

@@ -85,7 +85,19 @@ class ComponentSolver {
   void relax();
   double first_work() const;
   double wide_work() const;
-  void improve(const core::Component& core, const cutting::Master& point, double work);
+  void improve(const core::Component& core,
+               std::span<const core::ArcId> live,
+               cutting::Master& point,
+               double work);
+  std::vector<core::Packing> dive(const core::Component& core,
+                                  std::span<const core::ArcId> live,
+                                  cutting::Master& point,
+                                  double work);
+  void search_by_master(const core::Component& core,
+                        std::span<const core::ArcId> live,
+                        const cutting::Master& point,
+                        const std::vector<core::Packing>& others,
+                        double work);
   void search(double work);
   bool is_wide() const;
   bool is_large() const;

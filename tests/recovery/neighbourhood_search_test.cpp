@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+
+#include "bnb/component_slack.hpp"
 #include "recovery/greedy.hpp"
+#include "recovery/pool_search.hpp"
 #include "support/components.hpp"
 
 namespace nda::recovery {
@@ -16,72 +20,110 @@ using support::packing_fault;
 
 constexpr double kTie = 1e-9;
 
+// The two searches, as what they make of a packing of a component under random multipliers.
+struct Neighbourhoods {
+  static void improve(const bnb::SlackProblem& problem,
+                      std::vector<std::uint32_t>& packing,
+                      double work,
+                      double goal,
+                      Random& random,
+                      const core::Deadline& deadline) {
+    NeighbourhoodSearch(problem).improve(packing, {work, goal, kInfinity, deadline}, random);
+  }
+};
+
+struct Pool {
+  static void improve(const bnb::SlackProblem& problem,
+                      std::vector<std::uint32_t>& packing,
+                      double work,
+                      double goal,
+                      Random& random,
+                      const core::Deadline& deadline) {
+    PoolSearchOptions options;
+    options.max_work = work;
+    options.goal = goal;
+    options.deadline = deadline;
+    search_pool(problem, packing, options, random);
+  }
+};
+
+template <typename Search>
 Packing search(const Component& component,
-               Packing packing,
+               const Packing& start,
                double work,
                double goal = -kInfinity,
-               std::uint64_t seed = 1) {
+               std::uint64_t seed = 1,
+               const core::Deadline& deadline = {}) {
   Random multipliers(seed);
   const std::vector<double> u = support::feasible_multipliers(component, multipliers);
+  const bnb::ComponentSlack slack = bnb::slack_of(component, u, kInfinity);
   Random random(seed);
-  NeighbourhoodSearch(component, u).improve(packing, work, goal, random, {});
-  return packing;
+  Packing packing = start;
+  Search::improve(slack.problem,
+                  packing.arcs,
+                  work,
+                  goal - std::accumulate(u.begin(), u.end(), 0.0),
+                  random,
+                  deadline);
+  return core::make_packing(component, packing.arcs);
 }
 
-TEST(NeighbourhoodSearch, NeverMakesAPackingWorse) {
+template <typename Search>
+class SlackPackings : public testing::Test {};
+using Searches = testing::Types<Neighbourhoods, Pool>;
+TYPED_TEST_SUITE(SlackPackings, Searches);
+
+TYPED_TEST(SlackPackings, NeverGetWorse) {
   int num_better = 0;
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     SCOPED_TRACE(seed);
     const Component component = support::random_component_of_any_kind(seed);
     const Packing start = greedy(component, component.costs);
-    const Packing found = search(component, start, 1e5, -kInfinity, seed);
+    const Packing found = search<TypeParam>(component, start, 1e5, -kInfinity, seed);
     ASSERT_EQ(packing_fault(component, found), "");
-    ASSERT_LE(found.cost, start.cost);
+    ASSERT_LE(found.cost, start.cost + kTie);
     ASSERT_GE(found.cost, support::best_cost(component) - kTie);
     num_better += found.cost < start.cost - kTie;
   }
   EXPECT_GT(num_better, 50);
 }
 
-TEST(NeighbourhoodSearch, FindsTheOptimumOfSmallComponentsFromNothing) {
+TYPED_TEST(SlackPackings, OfSmallComponentsBecomeBestFromNothing) {
   int num_missed = 0;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     const Component component = support::random_component_of_any_kind(seed);
     const double best = std::min(0.0, support::best_cost(component));
-    num_missed += search(component, {}, 2e6, best, seed).cost > best + kTie;
+    num_missed += search<TypeParam>(component, {}, 2e6, best, seed).cost > best + kTie;
   }
   EXPECT_LT(num_missed, 10);
 }
 
-TEST(NeighbourhoodSearch, StopsAtTheGoal) {
+TYPED_TEST(SlackPackings, AreSearchedUpToTheGoal) {
   const Component component = large_component(3);
-  const Packing best = search(component, {}, 2e7);
+  const Packing best = search<TypeParam>(component, {}, 2e7);
   const double goal = best.cost / 2;
-  const Packing found = search(component, {}, 2e7, goal);
+  const Packing found = search<TypeParam>(component, {}, 2e7, goal);
   EXPECT_LE(found.cost, goal);
-  EXPECT_GT(found.cost, best.cost) << "one step does not lead from the goal to the optimum";
+  EXPECT_EQ(search<TypeParam>(component, found, 2e7, found.cost + kTie).arcs, found.arcs);
 }
 
-TEST(NeighbourhoodSearch, IsDeterministic) {
+TYPED_TEST(SlackPackings, AreDeterministic) {
   const Component component = large_component(4);
-  EXPECT_EQ(search(component, {}, 1e6).arcs, search(component, {}, 1e6).arcs);
+  EXPECT_EQ(search<TypeParam>(component, {}, 1e6).arcs, search<TypeParam>(component, {}, 1e6).arcs);
 }
 
-TEST(NeighbourhoodSearch, StopsAtTheDeadline) {
+TYPED_TEST(SlackPackings, StopAtTheDeadline) {
   const Component component = large_component(5);
-  Random random(1);
-  const std::vector<double> u = support::feasible_multipliers(component, random);
-  Packing packing;
   const core::Stopwatch watch;
-  NeighbourhoodSearch(component, u)
-      .improve(packing, kInfinity, -kInfinity, random, core::Deadline(0.02));
+  const Packing found =
+      search<TypeParam>(component, {}, kInfinity, -kInfinity, 1, core::Deadline(0.02));
   EXPECT_LT(watch.seconds(), 5);
-  EXPECT_EQ(packing_fault(component, packing), "");
+  EXPECT_EQ(packing_fault(component, found), "");
 }
 
-TEST(NeighbourhoodSearch, HasNothingToDoWithoutArcs) {
+TYPED_TEST(SlackPackings, NeedArcs) {
   const Component none = core::make_component({2, 2});
-  EXPECT_EQ(search(none, {}, 1e6).cost, 0);
+  EXPECT_EQ(search<TypeParam>(none, {}, 1e6).cost, 0);
 }
 
 }  // namespace

@@ -1,0 +1,158 @@
+#include "recovery/pool_search.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "recovery/neighbourhood_search.hpp"
+#include "recovery/slack_packing.hpp"
+
+// Construct, merge, solve (Blum et al. 2016).  Neighbourhood search alone ends in packings that no
+// neighbourhood it can see through improves.  Others that started elsewhere are stuck as well, but
+// in other places: the arcs of a dozen of them are a problem of a hundred or two, which is searched
+// exactly, and its best packing is better than them all. One round in four goes on from the best
+// packing.  The arcs that may come in are those of small reduced cost, more and fewer in turn: the
+// fewer, the larger the neighbourhoods.
+
+namespace nda::recovery {
+namespace {
+
+constexpr double kWorkPerIndex = 5000;  // of a round
+constexpr double kMergeShare = 0.5;     // of a round, for merging
+constexpr std::size_t kPoolSize = 12;
+constexpr int kRoundsPerBest = 4;
+constexpr double kBetter = 1e-9;
+constexpr double kNoise = 0.05;      // of the gap, in the order of greedy packings
+constexpr double kPriceShare = 0.1;  // an arc that covers dear indices comes earlier
+constexpr std::array<double, 6> kMostReduced = {0.2, 0.4, 0.8, 0.3, 0.6, 1.0};  // of the best slack
+
+using Arcs = std::vector<std::uint32_t>;
+
+class PoolSearch {
+ public:
+  PoolSearch(const bnb::SlackProblem& problem,
+             Arcs& best,
+             const PoolSearchOptions& options,
+             core::Random& random)
+      : problem_(problem),
+        best_(best),
+        options_(options),
+        random_(random),
+        state_(problem),
+        neighbourhoods_(problem),
+        round_work_(std::max(options.least_round_work, kWorkPerIndex * problem.num_indices())) {
+    state_.assign(best);
+    best_slack_ = state_.slack();
+  }
+
+  void run() {
+    if (problem_.num_arcs() == 0) return;
+    merge(options_.support);
+    for (int round = 0; !done(); ++round) {
+      const bool fresh = round % kRoundsPerBest != 0 || next_start_ < options_.starts.size();
+      Arcs packing = fresh ? construct() : best_;
+      NeighbourhoodSearch::Limits limits;
+      limits.max_work = std::min(round_work_, options_.max_work - work_);
+      limits.goal = options_.goal;
+      limits.most_reduced =
+          kMostReduced[static_cast<std::size_t>(round) % kMostReduced.size()] * best_slack_;
+      limits.deadline = options_.deadline;
+      work_ += neighbourhoods_.improve(packing, limits, random_) + problem_.num_rows();
+      keep(std::move(packing));
+      merge_pool();
+    }
+  }
+
+ private:
+  double gap() const { return best_slack_ - std::max(0.0, options_.goal); }
+
+  bool done() const {
+    return work_ >= options_.max_work || best_slack_ <= options_.goal ||
+           options_.deadline.reached();
+  }
+
+  void keep(Arcs packing) {
+    state_.assign(packing);
+    if (state_.slack() < best_slack_ * (1 - kBetter)) {
+      best_ = packing;
+      best_slack_ = state_.slack();
+    }
+    pool_.push_back(std::move(packing));
+    if (pool_.size() > kPoolSize) pool_.erase(pool_.begin());
+  }
+
+  Arcs construct() {
+    if (next_start_ < options_.starts.size()) return options_.starts[next_start_++];
+    return greedy();
+  }
+
+  // By reduced cost, what the indices cost if left uncovered, and chance.
+  Arcs greedy() {
+    std::vector<std::pair<double, std::uint32_t>> order;
+    for (std::uint32_t arc = 0; arc < problem_.num_arcs(); ++arc) {
+      double price = 0;
+      for (const bnb::RowUse& use : problem_.uses(arc)) {
+        if (state_.is_index(use.row)) price += problem_.price(use.row);
+      }
+      const double noise = random_.uniform(0, kNoise) * gap();
+      order.emplace_back(problem_.reduced(arc) - kPriceShare * price + noise, arc);
+    }
+    work_ += static_cast<double>(order.size());
+    std::sort(order.begin(), order.end());
+    state_.assign({});
+    for (const auto& [key, arc] : order) {
+      if (state_.fits(arc)) state_.insert(arc);
+    }
+    return state_.arcs();
+  }
+
+  void merge_pool() {
+    Arcs arcs;
+    for (const Arcs& packing : pool_) arcs.insert(arcs.end(), packing.begin(), packing.end());
+    merge(std::move(arcs));
+  }
+
+  // The best packing of these arcs and those of the best one.
+  void merge(Arcs arcs) {
+    arcs.insert(arcs.end(), best_.begin(), best_.end());
+    std::sort(arcs.begin(), arcs.end());
+    arcs.erase(std::unique(arcs.begin(), arcs.end()), arcs.end());
+    if (arcs.size() == best_.size() || done()) return;
+    bnb::SlackProblem part(problem_.num_indices());
+    for (std::uint32_t row = 0; row < problem_.num_rows(); ++row)
+      part.add_row(problem_.price(row), problem_.capacity(row));
+    for (const std::uint32_t arc : arcs) part.add_arc(problem_.reduced(arc), problem_.uses(arc));
+    bnb::SlackLimits limits;
+    limits.max_work = std::min(kMergeShare * round_work_, options_.max_work - work_);
+    limits.deadline = options_.deadline;
+    const bnb::SlackResult result = bnb::search_slack(part, best_slack_ * (1 - kBetter), limits);
+    work_ += result.work + part.num_rows();
+    if (!(result.slack < best_slack_)) return;
+    Arcs merged;
+    for (const std::uint32_t n : result.arcs) merged.push_back(arcs[n]);
+    std::sort(merged.begin(), merged.end());
+    keep(std::move(merged));
+  }
+
+  const bnb::SlackProblem& problem_;
+  Arcs& best_;
+  const PoolSearchOptions& options_;
+  core::Random& random_;
+  SlackPacking state_;
+  NeighbourhoodSearch neighbourhoods_;
+  const double round_work_;
+  double best_slack_ = 0;
+  double work_ = 0;
+  std::size_t next_start_ = 0;
+  std::vector<Arcs> pool_;
+};
+
+}  // namespace
+
+void search_pool(const bnb::SlackProblem& problem,
+                 std::vector<std::uint32_t>& best,
+                 const PoolSearchOptions& options,
+                 core::Random& random) {
+  PoolSearch(problem, best, options, random).run();
+}
+
+}  // namespace nda::recovery

@@ -1,0 +1,129 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/random.hpp"
+#include "cutting/dive.hpp"
+#include "cutting/leaf_search.hpp"
+#include "recovery/core_search.hpp"
+#include "recovery/master_search.hpp"
+#include "solve/component_solver.hpp"
+
+// How a component gets better packings while linear programs and cuts raise its bound: local search
+// first, then searches by the multipliers of the last linear program, cuts included.  Where the gap
+// stays wide a proof is far away, and much more goes into packings, starting from dives.
+
+namespace nda::pipeline {
+namespace {
+
+using core::ArcId;
+using core::Component;
+using core::Packing;
+
+// Work of neighbourhood search: at first, for every index, and where the gap is wide, for every
+// pair of indices.
+constexpr double kFirstWork = 2e6;
+constexpr double kFirstWorkPerIndex = 10000;
+constexpr double kWideWorkPerPair = 5e4;
+constexpr double kMostWideWork = 5e8;
+constexpr double kWideGap = 0.02;
+constexpr double kWideRounds = 16;
+constexpr double kDiveShare = 0.15;  // of that work
+}  // namespace
+
+double ComponentSolver::first_work() const {
+  return kFirstWork + kFirstWorkPerIndex * static_cast<double>(component_.num_indices());
+}
+
+double ComponentSolver::wide_work() const {
+  const auto size = static_cast<double>(component_.num_indices());
+  return std::min(kMostWideWork, kWideWorkPerPair * size * size);
+}
+
+// What branch and cut leaves to the search for packings.
+void ComponentSolver::improve(const Component& core,
+                              std::span<const ArcId> live,
+                              cutting::Master& point,
+                              double work) {
+  std::vector<Packing> dives;
+  if (++improvements_ == 1) {
+    adopt_multipliers(core, point.u());
+    if (searched_) return;
+    search(0);
+    work = first_work();
+  } else if (improvements_ == 2 && is_wide()) {
+    work = wide_work();
+    dives = dive(core, live, point, kDiveShare * work);
+  }
+  search_by_master(core, live, point, dives, work);
+}
+
+// Packings of the core from dives that take as long as `work`.
+std::vector<Packing> ComponentSolver::dive(const Component& core,
+                                           std::span<const ArcId> live,
+                                           cutting::Master& point,
+                                           double work) {
+  std::vector<Packing> found;
+  core::Random random(seed_);
+  const std::int64_t before = point.simplex_iterations();
+  const auto done = [&] {
+    return cutting::work_of_pivots(point.simplex_iterations() - before, core.num_slots());
+  };
+  while (done() < work && options_.search.local_search && !deadline_.reached()) {
+    found.push_back(cutting::dive(core, point, random, deadline_));
+    Packing packing = found.back();
+    for (ArcId& a : packing.arcs) a = live[a];
+    offer(packing, "dive");
+  }
+  std::stable_sort(found.begin(), found.end(), [](const Packing& a, const Packing& b) {
+    return a.cost < b.cost;
+  });
+  return found;
+}
+
+// `live`: the arcs of the component that the core consists of.
+void ComponentSolver::search_by_master(const Component& core,
+                                       std::span<const ArcId> live,
+                                       const cutting::Master& point,
+                                       const std::vector<Packing>& others,
+                                       double work) {
+  if (state_.complete || !options_.search.local_search || deadline_.reached()) return;
+  Packing start{{}, state_.best.cost};
+  for (const ArcId a : state_.best.arcs) {
+    const auto at = std::lower_bound(live.begin(), live.end(), a);
+    if (at != live.end() && *at == a) start.arcs.push_back(static_cast<ArcId>(at - live.begin()));
+  }
+  recovery::MasterSearchOptions search;
+  search.max_work = work;
+  search.least_round_work = others.empty() ? 0.0 : work / kWideRounds;
+  search.goal = state_.lower + precision_.error;
+  core::Random random(seed_ + static_cast<std::uint64_t>(improvements_));
+  Packing found = recovery::search_by_master(core, point, start, others, search, random, deadline_);
+  if (found.cost >= start.cost) return;
+  for (ArcId& a : found.arcs) a = live[a];
+  offer(found, "neighbourhoods");
+}
+
+void ComponentSolver::search(double work) {
+  if (state_.complete || !options_.search.local_search || deadline_.reached()) return;
+  recovery::CoreSearchOptions search;
+  search.kicks_per_index = searched_ ? 0 : options_.search.kicks_per_index;
+  search.neighbourhood_work = work;
+  search.goal = state_.lower + precision_.error;
+  core::Random random(seed_ + static_cast<std::uint64_t>(improvements_));
+  searched_ = true;
+  offer(recovery::search_core(component_,
+                              state_.u,
+                              state_.best.cost - state_.certificate,
+                              state_.best,
+                              search,
+                              random,
+                              deadline_),
+        "neighbourhoods");
+}
+
+// With a gap that wide a proof is far away; better solutions are not.
+bool ComponentSolver::is_wide() const {
+  return state_.best.cost - state_.lower > kWideGap * std::abs(state_.best.cost);
+}
+
+}  // namespace nda::pipeline
