@@ -7,7 +7,7 @@ import tree
 # A folder of src/ may include its own headers and those of a lower level.
 LEVEL = {
     "core": 0,
-    "io": 1, "assign2d": 1, "dual": 1, "decompose": 1, "bnb": 1, "lp": 1, "generate": 1,
+    "io": 1, "assign2d": 1, "dual": 1, "decompose": 1, "bnb": 1, "lp": 1, "generate": 1, "reduce": 1,
     "relax": 2, "cutting": 2, "baselines": 2,
     "recovery": 3,
     "solve": 4,
