@@ -29,6 +29,13 @@ enum class Method {
   kExact,       ///< branch and bound from the start
 };
 
+/// Which reductions try to settle a component before anything else does (docs/reductions.md).
+enum class Reductions {
+  kNone,
+  kQuick,  ///< those that save more than they cost
+  kAll,    ///< and dominated arcs, and parts that hang on one index
+};
+
 /// Lagrangian relaxation to two dimensions (report, sections 3 and 4).
 struct RelaxationOptions {
   DualMethod dual_method = DualMethod::kBundleTrust;
@@ -45,6 +52,7 @@ struct RelaxationOptions {
 
 /// Search for good solutions besides the recovery.
 struct SearchOptions {
+  Reductions reductions = Reductions::kQuick;
   bool local_search = true;  ///< local search and neighbourhood search where bounds do not end it
   int kicks_per_index = 2;   ///< of local search: random moves per index of the component; >= 0
 };

@@ -62,7 +62,23 @@ struct ComponentReport {
   bool proven = false;
   double cost = 0;         ///< contribution to the total cost; +inf if it was not found feasible
   double lower_bound = 0;  ///< on that contribution; +inf if it is infeasible
-  std::string method;      ///< "enumeration", "assignment", "relaxation", "branch and cut", ...
+  std::string
+      method;  ///< "reductions", "enumeration", "assignment", "relaxation", "branch and cut", ...
+};
+
+/// What each reduction did (docs/reductions.md).
+struct ReductionYield {
+  std::size_t outweighing = 0;   ///< arcs taken, as they outweigh all they exclude
+  std::size_t excluded = 0;      ///< arcs that these exclude
+  std::size_t redundant = 0;     ///< indices relieved, as another one speaks for them
+  std::size_t single = 0;        ///< arcs that became the cost of leaving their index alone
+  std::size_t unprofitable = 0;  ///< arcs that cost no less than these
+  std::size_t dominated = 0;     ///< arcs that others within their indices replace
+  std::size_t sides = 0;         ///< parts that hung on the rest by one index
+  std::size_t side_arcs = 0;     ///< arcs that went with them
+  std::size_t left = 0;          ///< arcs that no rule removed
+
+  ReductionYield& operator+=(const ReductionYield& other);
 };
 
 /// Counters and times of one solve.  Times are wall seconds.
@@ -75,6 +91,8 @@ struct Stats {
   std::int64_t nodes = 0;                 ///< of branch and bound
   std::size_t arcs_after_shift = 0;       ///< arcs that can improve on their singletons
   std::size_t arcs_after_fixing = 0;      ///< arcs left when reduced-cost fixing ended
+  std::size_t settled_components = 0;     ///< solved by reductions alone
+  ReductionYield reductions;              ///< of those components
   double certificate_bound = -kInfinity;  ///< what the multipliers alone prove; -inf without any
   bool bound_by_branching = false;  ///< lower_bound exceeds certificate_bound: the search proved it
 };

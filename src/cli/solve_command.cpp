@@ -85,6 +85,23 @@ void print_components(const Solution& solution) {
   }
 }
 
+void print_reductions(const Solution& solution) {
+  const ReductionYield& yield = solution.stats.reductions;
+  print("\nreductions    settled %zu of %zu components\n",
+        solution.stats.settled_components,
+        solution.num_components);
+  const auto line = [](std::size_t count, const char* what, std::size_t dropped) {
+    if (count == 0) return;
+    print("%14s%zu %s", "", count, what);
+    print(dropped > 0 ? ", which dropped %zu more\n" : "\n", dropped);
+  };
+  line(yield.outweighing, "arcs that outweigh all they exclude", yield.excluded);
+  line(yield.redundant, "redundant indices", 0);
+  line(yield.single, "single choices", yield.unprofitable);
+  line(yield.dominated, "dominated arcs", 0);
+  line(yield.sides, "sides that hung on one index", yield.side_arcs);
+}
+
 void print_bound(const Solution& solution) {
   const bool branched = solution.stats.bound_by_branching;
   print("lower bound   %.10g%s\n", solution.lower_bound, branched ? "  (by branching)" : "");
@@ -168,7 +185,10 @@ int solve_file(const SolveArguments& arguments) {
     std::cout << solution_to_json(solution);
   } else {
     print_summary(solution);
-    if (arguments.verbose) print_components(solution);
+    if (arguments.verbose) {
+      print_components(solution);
+      print_reductions(solution);
+    }
   }
   return exit_code(solution);
 }
@@ -244,7 +264,8 @@ Action declare_solve(CLI::App& parser) {
       .add_option("--log-interval", arguments->log_interval_s, "seconds between lines of the log")
       ->check(at_least(0));
   parser.add_flag("--quiet,-q", arguments->quiet, "no solver log");
-  parser.add_flag("--verbose,-v", arguments->verbose, "one line per component");
+  parser.add_flag(
+      "--verbose,-v", arguments->verbose, "one line per component, and what each reduction did");
   parser.footer(
       "The log on standard error shows time, cost of the best assignment, lower bound and gap;\n"
       "what the multipliers prove of the bound, its certificate, is verified by `nda check`; the\n"

@@ -162,6 +162,11 @@ void add_relaxation(std::vector<OptionRow>& rows) {
 }
 
 void add_search_and_branch(std::vector<OptionRow>& rows) {
+  rows.push_back(choice<Reductions>(
+      "search.reductions",
+      [](auto& options) -> auto& { return options.search.reductions; },
+      {"none", "quick", "all"},
+      "which reductions try to settle a component before anything else does"));
   rows.push_back(choice<bool>(
       "search.local_search",
       [](auto& options) -> auto& { return options.search.local_search; },

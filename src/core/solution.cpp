@@ -37,4 +37,17 @@ double Solution::relative_gap() const {
   return std::isinf(absolute) ? absolute : absolute / std::max(1e-9, std::abs(cost));
 }
 
+ReductionYield& ReductionYield::operator+=(const ReductionYield& other) {
+  dominated += other.dominated;
+  redundant += other.redundant;
+  outweighing += other.outweighing;
+  excluded += other.excluded;
+  single += other.single;
+  unprofitable += other.unprofitable;
+  sides += other.sides;
+  side_arcs += other.side_arcs;
+  left += other.left;
+  return *this;
+}
+
 }  // namespace nda

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-// Lists are never rebuilt: an arc that is dropped stays in the lists of its indices until somebody
-// reads them, so that dropping costs nothing and reading pays for every arc once.
+// An arc that is dropped stays in the lists of its indices until somebody reads them, so that
+// dropping costs little and reading pays for every arc once.
 
 namespace nda::reduce {
 
@@ -36,6 +36,7 @@ void ArcPool::fill_arcs(const Component& component) {
 
 void ArcPool::fill_lists() {
   degree_.assign(charge_.size(), 0);
+  stale_.assign(charge_.size(), 0);
   for (ArcId a = 0; a < cost_.size(); ++a) {
     if (!alive_[a]) continue;
     for (const std::uint32_t slot : slots(a)) ++degree_[slot];
@@ -55,6 +56,7 @@ void ArcPool::fill_lists() {
 
 std::span<const ArcId> ArcPool::arcs_at(std::uint32_t slot) {
   ArcId* const list = arcs_.data() + start_[slot];
+  if (std::exchange(stale_[slot], 0) == 0) return {list, degree_[slot]};
   std::uint32_t kept = 0;
   for (std::uint32_t n = 0; n < degree_[slot]; ++n) {
     if (alive_[list[n]]) list[kept++] = list[n];
@@ -64,8 +66,9 @@ std::span<const ArcId> ArcPool::arcs_at(std::uint32_t slot) {
 }
 
 void ArcPool::drop(ArcId a) {
-  num_alive_ -= alive_[a] != 0;
-  alive_[a] = 0;
+  if (std::exchange(alive_[a], 0) == 0) return;
+  --num_alive_;
+  for (const std::uint32_t slot : slots(a)) stale_[slot] = 1;
 }
 
 std::size_t ArcPool::charge(std::uint32_t slot, double amount) {

@@ -73,6 +73,7 @@ class ArcPool {
   std::vector<std::uint32_t> slots_;   // [arc * stride_ ...]
   std::vector<std::uint32_t> start_;   // [slot]: its list in arcs_
   std::vector<std::uint32_t> degree_;  // [slot]: how long that is
+  std::vector<char> stale_;            // [slot]: it holds arcs that were dropped
   std::vector<core::ArcId> arcs_;
   std::vector<double> charge_;  // [slot]
   std::vector<Choice> choices_;

@@ -43,7 +43,7 @@ std::size_t num_shared(std::span<const std::uint32_t> x, std::span<const std::ui
 
 class Outweighing {
  public:
-  explicit Outweighing(ArcPool& pool) : pool_(pool) {}
+  explicit Outweighing(ArcPool& pool) : pool_(pool), asked_(pool.num_arcs(), false) {}
 
   Takings run() {
     for (std::uint32_t slot = 0; slot < pool_.num_slots(); ++slot) {
@@ -52,6 +52,8 @@ class Outweighing {
       const ArcId a = *std::min_element(arcs.begin(), arcs.end(), [&](ArcId x, ArcId y) {
         return pool_.cost(x) < pool_.cost(y);
       });
+      if (asked_[a]) continue;
+      asked_[a] = true;
       if (outweighs(a)) take(a);
     }
     return takings_;
@@ -90,6 +92,7 @@ class Outweighing {
 
   ArcPool& pool_;
   Takings takings_;
+  std::vector<bool> asked_;    // [arc]: it may be the cheapest on several indices
   std::vector<double> share_;  // by position in the arc at hand
   double rest_ = 0;            // of its cost beyond the shares
 };

@@ -9,10 +9,13 @@
 #include "reduce/redundant_indices.hpp"
 #include "reduce/single_choice_arcs.hpp"
 
-// The cheap rules come first, and dominance only where few arcs are left: its table costs more than
-// all others together.  Every rule carries the multipliers along (each file says how), so what the
-// rules settle is certified like everything else; settle() reckons the certificate anew from the
-// multipliers and the arcs of the component, and needs to believe no rule.
+// Every rule carries the multipliers along (each file says how), so what the rules settle is
+// certified like everything else; settle() reckons the certificate anew from the multipliers and
+// the arcs of the component, and needs to believe no rule.
+//
+// To settle a component all its arcs must go.  Hardly anything begins that but an arc that
+// outweighs its rivals, and the cheapest arc is the one to ask, in one pass over the arcs as they
+// stand; a pool is made only where the answer is yes, so that trying in vain costs next to nothing.
 
 namespace nda::reduce {
 namespace {
@@ -21,8 +24,8 @@ using core::ArcId;
 using core::Component;
 
 constexpr int kMostRounds = 30;
-constexpr std::size_t kSettleDominance = 256;
-// A round that leaves more arcs than this must have removed a good part of them to go on.
+// A component is given up after a round that leaves more than so many arcs and removes less than
+// this part of them.
 constexpr std::size_t kFewArcs = 64;
 constexpr double kGoodPart = 0.1;
 
@@ -33,57 +36,77 @@ double certificate_of(const Component& component, std::span<const double> u) {
   return certificate;
 }
 
-}  // namespace
-
-Yield& Yield::operator+=(const Yield& other) {
-  dominated += other.dominated;
-  redundant += other.redundant;
-  outweighing += other.outweighing;
-  excluded += other.excluded;
-  single += other.single;
-  unprofitable += other.unprofitable;
-  sides += other.sides;
-  side_arcs += other.side_arcs;
-  left += other.left;
-  return *this;
+// Whether the cheapest arc outweighs all it excludes (outweighing_arcs.hpp).
+bool cheapest_outweighs(const Component& component) {
+  const auto cheapest = static_cast<ArcId>(
+      std::min_element(component.costs.begin(), component.costs.end()) - component.costs.begin());
+  std::vector<std::uint32_t> shared(component.num_arcs(), 0);
+  for (std::size_t k = 0; k < component.sizes.size(); ++k) {
+    const Index own = component.indices[k][cheapest];
+    if (own == 0) continue;
+    const Index* const column = component.indices[k].data();
+    for (ArcId a = 0; a < shared.size(); ++a) shared[a] += column[a] == own;
+  }
+  shared[cheapest] = 0;
+  double sum = 0;
+  for (std::size_t k = 0; k < component.sizes.size(); ++k) {
+    const Index own = component.indices[k][cheapest];
+    if (own == 0) continue;
+    const Index* const column = component.indices[k].data();
+    double share = 0;
+    for (ArcId a = 0; a < shared.size(); ++a) {
+      if (column[a] == own && a != cheapest)
+        share = std::min(share, component.costs[a] / shared[a]);
+    }
+    sum += share;
+    if (sum < component.costs[cheapest]) return false;
+  }
+  return true;
 }
 
-// Returns whether any rule did anything.
-bool Reducer::round(std::size_t most_dominance) {
-  const std::size_t before = pool_.num_alive();
+}  // namespace
+
+void Reducer::apply_quick_rules() {
   const Takings takings = take_outweighing_arcs(pool_);
   yield_.outweighing += takings.taken;
   yield_.excluded += takings.dropped;
-  const std::size_t relieved = relieve_redundant_indices(pool_);
-  yield_.redundant += relieved;
+  yield_.redundant += relieve_redundant_indices(pool_);
   const Transfers transfers = transfer_single_choices(pool_);
   yield_.single += transfers.chosen;
   yield_.unprofitable += transfers.dropped;
-  if (pool_.num_alive() > 0 && pool_.num_alive() <= most_dominance)
-    yield_.dominated += drop_dominated_arcs(pool_);
-  if (pool_.num_alive() > 0 && pool_.num_alive() == before && relieved == 0) {
-    const Cuttings cuttings = cut_sides_off(pool_);
-    yield_.sides += cuttings.sides;
-    yield_.side_arcs += cuttings.dropped;
-  }
-  return pool_.num_alive() < before || relieved > 0;
 }
 
-void Reducer::reduce(const Component& component, std::size_t most_dominance) {
+void Reducer::apply_thorough_rules() {
+  yield_.dominated += drop_dominated_arcs(pool_);
+  const Cuttings cuttings = cut_sides_off(pool_);
+  yield_.sides += cuttings.sides;
+  yield_.side_arcs += cuttings.dropped;
+}
+
+// The thorough rules where the quick ones did nothing.  Returns whether any rule did anything.
+bool Reducer::round(Effort effort) {
+  const std::size_t arcs = pool_.num_alive();
+  const std::size_t redundant = yield_.redundant;
+  const auto idle = [&] { return pool_.num_alive() == arcs && yield_.redundant == redundant; };
+  apply_quick_rules();
+  if (effort == Effort::kAll && idle()) apply_thorough_rules();
+  return !idle();
+}
+
+void Reducer::reduce(const Component& component, Effort effort) {
   yield_ = {};
   pool_.reset(component);
-  for (int n = 0; n < kMostRounds && pool_.num_alive() > 0; ++n) {
-    if (!round(most_dominance)) break;
-  }
+  for (int n = 0; n < kMostRounds && pool_.num_alive() > 0 && round(effort);) ++n;
   yield_.left = pool_.num_alive();
 }
 
-std::optional<Settled> Reducer::settle(const Component& component) {
+std::optional<Settled> Reducer::settle(const Component& component, Effort effort) {
   yield_ = {};
+  if (effort == Effort::kQuick && !cheapest_outweighs(component)) return std::nullopt;
   pool_.reset(component);
   for (int n = 0; n < kMostRounds && pool_.num_alive() > 0; ++n) {
     const std::size_t before = pool_.num_alive();
-    if (!round(kSettleDominance)) break;
+    if (!round(effort)) break;
     const auto removed = static_cast<double>(before - pool_.num_alive());
     if (pool_.num_alive() > kFewArcs && removed < kGoodPart * static_cast<double>(before)) break;
   }

@@ -19,27 +19,35 @@ constexpr int kSweeps = 30;
 // A sum of that many terms may miss by rounding: this share of its size.
 constexpr double kRounding = 0x1p-46;
 
-std::size_t row_of(std::span<const std::uint32_t> slots, std::uint32_t slot) {
-  return static_cast<std::size_t>(std::lower_bound(slots.begin(), slots.end(), slot) -
-                                  slots.begin());
-}
-
 }  // namespace
 
 SmallPacking::SmallPacking(const ArcPool& pool, std::span<const ArcId> arcs)
-    : pool_(pool), arcs_(arcs) {
+    : arcs_(arcs), rows_(arcs.size()) {
   for (const ArcId a : arcs) {
     const auto own = pool.slots(a);
     slots_.insert(slots_.end(), own.begin(), own.end());
+    cost_.push_back(pool.cost(a));
   }
   std::sort(slots_.begin(), slots_.end());
   slots_.erase(std::unique(slots_.begin(), slots_.end()), slots_.end());
+  arcs_at_.resize(slots_.size());
+  for (std::size_t n = 0; n < arcs.size(); ++n) {
+    for (const std::uint32_t slot : pool.slots(arcs[n])) {
+      rows_[n].push_back(row_of(slot));
+      arcs_at_[rows_[n].back()].push_back(n);
+    }
+  }
   used_.assign(slots_.size() + 1, 0);
+}
+
+std::size_t SmallPacking::row_of(std::uint32_t slot) const {
+  return static_cast<std::size_t>(std::lower_bound(slots_.begin(), slots_.end(), slot) -
+                                  slots_.begin());
 }
 
 bool SmallPacking::solve(std::uint32_t gate) {
   const bool is_used = std::binary_search(slots_.begin(), slots_.end(), gate);
-  gate_row_ = is_used ? row_of(slots_, gate) : slots_.size();
+  gate_row_ = is_used ? row_of(gate) : slots_.size();
   return enumerate(0) && find_multipliers();
 }
 
@@ -55,18 +63,14 @@ bool SmallPacking::enumerate(std::size_t next) {
     note_packing();
     return true;
   }
-  const ArcId a = arcs_[next];
-  const auto slots = pool_.slots(a);
-  const bool is_free = std::none_of(slots.begin(), slots.end(), [&](std::uint32_t slot) {
-    return used_[row_of(slots_, slot)] != 0;
-  });
-  if (is_free) {
+  const std::vector<std::size_t>& rows = rows_[next];
+  if (std::none_of(rows.begin(), rows.end(), [&](std::size_t row) { return used_[row] != 0; })) {
     const double before = current_.cost;
-    for (const std::uint32_t slot : slots) used_[row_of(slots_, slot)] = 1;
-    current_.arcs.push_back(a);
-    current_.cost += pool_.cost(a);
+    for (const std::size_t row : rows) used_[row] = 1;
+    current_.arcs.push_back(arcs_[next]);
+    current_.cost += cost_[next];
     const bool done = enumerate(next + 1);
-    for (const std::uint32_t slot : slots) used_[row_of(slots_, slot)] = 0;
+    for (const std::size_t row : rows) used_[row] = 0;
     current_.arcs.pop_back();
     current_.cost = before;
     if (!done) return false;
@@ -75,11 +79,8 @@ bool SmallPacking::enumerate(std::size_t next) {
 }
 
 double SmallPacking::reduced(std::size_t n) const {
-  double r = pool_.cost(arcs_[n]);
-  for (const std::uint32_t slot : pool_.slots(arcs_[n])) {
-    const std::size_t row = row_of(slots_, slot);
-    r -= row == gate_row_ ? gate_price_ : multipliers_[row];
-  }
+  double r = cost_[n];
+  for (const std::size_t row : rows_[n]) r -= row == gate_row_ ? gate_price_ : multipliers_[row];
   return r;
 }
 
@@ -87,9 +88,7 @@ double SmallPacking::reduced(std::size_t n) const {
 void SmallPacking::halve(std::size_t row) {
   double best = 0;
   double second = kInfinity;
-  for (std::size_t n = 0; n < arcs_.size(); ++n) {
-    const auto slots = pool_.slots(arcs_[n]);
-    if (!std::binary_search(slots.begin(), slots.end(), slots_[row])) continue;
+  for (const std::size_t n : arcs_at_[row]) {
     const double use = reduced(n) + multipliers_[row];
     second = std::min(second, std::max(best, use));
     best = std::min(best, use);
@@ -100,11 +99,7 @@ void SmallPacking::halve(std::size_t row) {
 // As high as its arcs allow.
 void SmallPacking::tighten(std::size_t row) {
   double least = kInfinity;
-  for (std::size_t n = 0; n < arcs_.size(); ++n) {
-    const auto slots = pool_.slots(arcs_[n]);
-    if (std::binary_search(slots.begin(), slots.end(), slots_[row]))
-      least = std::min(least, reduced(n));
-  }
+  for (const std::size_t n : arcs_at_[row]) least = std::min(least, reduced(n));
   multipliers_[row] = std::min(0.0, multipliers_[row] + least);
 }
 
@@ -120,9 +115,9 @@ bool SmallPacking::find_multipliers() {
   sweep(&SmallPacking::tighten);
   double size = 0;
   for (std::size_t n = 0; n < arcs_.size(); ++n) {
-    size += std::abs(pool_.cost(arcs_[n]));
+    size += std::abs(cost_[n]);
     // Arcs that use the gate alone are not repaired.
-    if (reduced(n) < -kRounding * std::abs(pool_.cost(arcs_[n]))) return false;
+    if (reduced(n) < -kRounding * std::abs(cost_[n])) return false;
   }
   const double sum = std::accumulate(multipliers_.begin(), multipliers_.end(), 0.0);
   return sum >= best_without_.cost - kRounding * size;

@@ -37,8 +37,12 @@ class SmallPacking {
   void tighten(std::size_t row);
   double reduced(std::size_t n) const;
 
-  const ArcPool& pool_;
+  std::size_t row_of(std::uint32_t slot) const;
+
   const std::span<const core::ArcId> arcs_;
+  std::vector<double> cost_;                       // of arc n of these
+  std::vector<std::vector<std::size_t>> rows_;     // of arc n: positions in slots_
+  std::vector<std::vector<std::size_t>> arcs_at_;  // [row]
   std::vector<std::uint32_t> slots_;
   std::size_t gate_row_ = 0;
   core::Packing best_;

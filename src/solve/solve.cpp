@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <string>
 
 #include "core/clock.hpp"
@@ -18,6 +19,7 @@
 #include "solve/monitor.hpp"
 #include "solve/parallel.hpp"
 #include "solve/process.hpp"
+#include "solve/settling.hpp"
 
 // The pipeline: shift, split, solve the parts in two rounds, merge.  The first round gives every
 // component a solution and a bound, the second works on those that are not yet closed.  Components
@@ -47,7 +49,14 @@ constexpr double kLargestCost = 1e100;
 struct Part {
   Component component;
   std::unique_ptr<cutting::ProofLog> proof;  // null when none is asked for
-  std::unique_ptr<ComponentSolver> solver;
+  std::optional<pipeline::SettledComponent> settled;
+  std::unique_ptr<ComponentSolver> solver;  // null where settled
+
+  bool is_known() const { return settled || solver != nullptr; }
+  const ComponentState& state() const { return settled ? settled->state : solver->state(); }
+  const pipeline::Precision& precision() const {
+    return settled ? settled->precision : solver->precision();
+  }
 };
 
 class Pipeline {
@@ -89,20 +98,26 @@ class Pipeline {
     parts_.resize(partition_.num_components());
     deadline_ = deadline_.earlier(kMergeSecondsPerPart * static_cast<double>(parts_.size()));
     monitor_.begin(shift_.constant, parts_.size(), num_infeasible());
-    std::vector<core::Cutter> cutters(
-        static_cast<std::size_t>(pipeline::num_workers(options_.num_threads)));
-    for_all_parts([&](std::size_t p, std::size_t worker) { prepare_part(p, cutters[worker]); });
+    const auto workers = static_cast<std::size_t>(pipeline::num_workers(options_.num_threads));
+    std::vector<core::Cutter> cutters(workers);
+    std::vector<reduce::Reducer> reducers(workers);
+    for_all_parts([&](std::size_t p, std::size_t worker) {
+      prepare_part(p, cutters[worker], reducers[worker]);
+    });
     is_bounded_ = std::all_of(parts_.begin(), parts_.end(), [](const Part& part) {
-      return part.solver != nullptr && part.solver->bounded();
+      return part.settled || (part.solver != nullptr && part.solver->bounded());
     });
   }
 
   void work() {
-    for_all_parts([&](std::size_t p, std::size_t) { parts_[p].solver->start(); });
+    for_all_parts([&](std::size_t p, std::size_t) {
+      if (!parts_[p].settled) parts_[p].solver->start();
+    });
     const double gap = allowed_gap();
     const double open = total(&best_cost) - total(&lower_bound);
     for_all_parts([&](std::size_t p, std::size_t) {
-      const ComponentState& state = parts_[p].solver->state();
+      if (parts_[p].settled) return;
+      const ComponentState& state = parts_[p].state();
       const double share = open > 0 ? (state.best.cost - state.lower) / open : 0.0;
       parts_[p].solver->finish(share > 0 ? gap * share : 0.0);
     });
@@ -113,7 +128,7 @@ class Pipeline {
     pipeline::for_all(parts_.size(), options_.num_threads, work);
   }
 
-  void prepare_part(std::size_t p, core::Cutter& cutter) {
+  void prepare_part(std::size_t p, core::Cutter& cutter, reduce::Reducer& reducer) {
     if (deadline_.reached()) return;
     Part& part = parts_[p];
     if (mostly_whole()) {
@@ -129,8 +144,13 @@ class Pipeline {
                                               charges(part.component),
                                               pipeline::precision_of(part.component, grid_).error);
     }
+    std::vector<bool> required = this->required(part.component);
+    if (required.empty() && options_.method != Method::kRelaxation) {
+      part.settled = pipeline::settle(part.component, grid_, options_.search.reductions, reducer);
+      if (part.settled) return pipeline::tell(part.settled->state, monitor_);
+    }
     part.solver = std::make_unique<ComponentSolver>(part.component,
-                                                    required(part.component),
+                                                    std::move(required),
                                                     options_,
                                                     grid_,
                                                     options_.seed + 1000003 * p,
@@ -181,7 +201,7 @@ class Pipeline {
     const double least = best < 0 ? -best : std::max(0.0, lower);
     if (least == 0) return 0;
     double rounding = 0;
-    for (const Part& part : parts_) rounding += 2 * part.solver->precision().error;
+    for (const Part& part : parts_) rounding += 2 * part.precision().error;
     return std::max(0.0, options_.relative_gap * least - rounding);
   }
 
@@ -194,7 +214,7 @@ class Pipeline {
     for (const std::vector<double>& row : shift_.base) {
       for (const double charge : row) sum.add(charge);
     }
-    for (const Part& part : parts_) sum.add(figure(part.solver->state()));
+    for (const Part& part : parts_) sum.add(figure(part.state()));
     return sum.high();
   }
 
@@ -205,7 +225,7 @@ class Pipeline {
     solution.num_components = parts_.size();
     merge_arcs(solution);
     for (const Part& part : parts_) {
-      if (part.solver != nullptr) report(part, solution);
+      if (part.is_known()) report(part, solution);
     }
     merge_multipliers(solution);
     merge_bounds(solution);
@@ -222,13 +242,17 @@ class Pipeline {
     proof.num_arcs = solution.num_arcs;
     proof.grid = grid_.step;
     for (Part& part : parts_) {
-      part.solver->finish_proof();
+      if (part.settled) {
+        part.proof->bound(part.state().u);
+      } else {
+        part.solver->finish_proof();
+      }
       proof.parts.push_back(part.proof->take());
     }
   }
 
   void report(const Part& part, Solution& solution) const {
-    const ComponentState& state = part.solver->state();
+    const ComponentState& state = part.state();
     double base = 0;
     bool feasible = true;
     core::for_each_index(part.component, [&](std::uint32_t, std::size_t k, Index i) {
@@ -237,7 +261,7 @@ class Pipeline {
     });
     ComponentReport line{part.component.num_arcs(),
                          part.component.num_indices(),
-                         is_bounded_ ? state.stopped : why_stopped(),
+                         is_bounded_ || part.settled ? state.stopped : why_stopped(),
                          state.complete && feasible,
                          feasible ? base + state.best.cost : kInfinity,
                          base + state.lower,
@@ -253,13 +277,16 @@ class Pipeline {
     solution.stats.nodes += state.nodes;
     solution.stats.arcs_after_shift += part.component.num_arcs();
     solution.stats.arcs_after_fixing += state.live_arcs;
+    if (!part.settled) return;
+    ++solution.stats.settled_components;
+    solution.stats.reductions += part.settled->yield;
   }
 
   void merge_arcs(Solution& solution) {
     std::vector<ArcId> arcs;
     for (const Part& part : parts_) {
-      if (part.solver == nullptr) continue;
-      for (const ArcId a : part.solver->state().best.arcs) {
+      if (!part.is_known()) continue;
+      for (const ArcId a : part.state().best.arcs) {
         arcs.push_back(core::original_arc(part.component, a));
       }
     }
@@ -299,8 +326,8 @@ class Pipeline {
     if (!is_bounded_) drop_penalties(solution);
     for (const Part& part : parts_) {
       // With the penalties dropped, multipliers that were found for them fit no longer.
-      if (part.solver == nullptr || (!is_bounded_ && shift_.penalty > 0)) continue;
-      const std::vector<double>& u = part.solver->state().u;
+      if (!part.is_known() || (!is_bounded_ && shift_.penalty > 0)) continue;
+      const std::vector<double>& u = part.state().u;
       core::for_each_index(part.component, [&](std::uint32_t slot, std::size_t k, Index i) {
         solution.multipliers[k][i - 1] += u[slot];
       });
@@ -341,8 +368,8 @@ class Pipeline {
     double error = 0;
     bool exact = !solution.solutions.empty();
     for (const Part& part : parts_) {
-      error += part.solver->precision().error;
-      exact = exact && part.solver->state().complete && part.solver->precision().on_grid();
+      error += part.precision().error;
+      exact = exact && part.state().complete && part.precision().on_grid();
     }
     // On a grid a proof to less than a step is a proof of the cost, but for the rounding that put
     // the costs beside their grid points.
@@ -355,10 +382,10 @@ class Pipeline {
     bool infeasible = false;
     double error = 0;
     for (const Part& part : parts_) {
-      if (part.solver == nullptr) continue;
-      const ComponentState& state = part.solver->state();
-      error += 2 * part.solver->precision().error;
-      on_grid = on_grid && part.solver->precision().on_grid();
+      if (!part.is_known()) continue;
+      const ComponentState& state = part.state();
+      error += 2 * part.precision().error;
+      on_grid = on_grid && part.precision().on_grid();
       complete = complete && state.complete;
       infeasible = infeasible || (state.complete && !state.feasible);
     }
@@ -382,9 +409,7 @@ class Pipeline {
     if (!is_bounded_) return deadline_.interrupted() ? Status::kInterrupted : Status::kTimeLimit;
     for (const Status status :
          {Status::kInterrupted, Status::kTimeLimit, Status::kNodeLimit, Status::kIterationLimit}) {
-      const auto stopped_so = [&](const Part& part) {
-        return part.solver->state().stopped == status;
-      };
+      const auto stopped_so = [&](const Part& part) { return part.state().stopped == status; };
       if (std::any_of(parts_.begin(), parts_.end(), stopped_so)) return status;
     }
     return Status::kGapReached;

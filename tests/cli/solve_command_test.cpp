@@ -42,6 +42,18 @@ TEST(SolveCommand, EndsItsLogWithTheClosedGap) {
   EXPECT_THAT(outcome.log, HasSubstr("          -9.000000          -9.000000     0.0000 "));
 }
 
+TEST(SolveCommand, TellsWhatReductionsDidOnDemand) {
+  const TemporaryFolder folder;
+  write_file(folder / "a.nda", "p nda 3 2 2 1 3\na 1 1 1 -7\na 1 2 1 -3\na 2 2 0 -4\n");
+  EXPECT_THAT(run(folder, "nda solve a.nda").output, Not(HasSubstr("reductions")));
+  EXPECT_THAT(run(folder, "nda solve a.nda -v").output,
+              AllOf(HasSubstr("  reductions\n"),
+                    HasSubstr("reductions    settled 1 of 1 components\n"),
+                    HasSubstr("2 arcs that outweigh all they exclude, which dropped 1 more\n")));
+  EXPECT_THAT(run(folder, "nda solve a.nda -v --set search.reductions=none").output,
+              HasSubstr("reductions    settled 0 of 1 components\n"));
+}
+
 TEST(SolveCommand, PrintsTheJsonOnceAndNothingElse) {
   const TemporaryFolder folder;
   write_file(folder / "a.nda", kProblem);

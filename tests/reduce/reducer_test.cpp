@@ -13,8 +13,6 @@
 namespace nda::reduce {
 namespace {
 
-constexpr std::size_t kAll = 1u << 30;
-
 void apply(int rule, ArcPool& pool) {
   if (rule == 0) drop_dominated_arcs(pool);
   if (rule == 1) relieve_redundant_indices(pool);
@@ -35,12 +33,12 @@ TEST(Reducer, RulesMayComeInAnyOrder) {
 
 TEST(Reducer, CountsWhatEveryRuleDid) {
   Reducer reducer;
-  Yield total;
+  ReductionYield total;
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     SCOPED_TRACE(seed);
     const core::Component component = reducible_component(seed);
-    reducer.reduce(component, kAll);
-    const Yield& yield = reducer.yield();
+    reducer.reduce(component, Effort::kAll);
+    const ReductionYield& yield = reducer.yield();
     std::size_t paying = 0;
     for (const double cost : component.costs) paying += cost < 0;
     EXPECT_EQ(yield.left, arcs_alive(reducer.pool()).size());
@@ -67,7 +65,8 @@ TEST(Reducer, SettlesWithTheOptimumAndACertificate) {
   for (std::uint64_t seed = 0; seed < 4000; ++seed) {
     SCOPED_TRACE(seed);
     const core::Component component = reducible_component(seed);
-    const std::optional<Settled> result = reducer.settle(component);
+    const std::optional<Settled> result =
+        reducer.settle(component, seed % 3 == 0 ? Effort::kQuick : Effort::kAll);
     if (!result) continue;
     ++settled;
     EXPECT_EQ(support::packing_fault(component, result->best), "");
@@ -84,7 +83,7 @@ TEST(Reducer, SettlesNothingWhereTheRelaxationHasAGap) {
   const core::Component triangle =
       make({1, 1, 1}, {{{0, 1, 1}, -2}, {{1, 0, 1}, -2}, {{1, 1, 0}, -2}});
   Reducer reducer;
-  EXPECT_FALSE(reducer.settle(triangle).has_value());
+  EXPECT_FALSE(reducer.settle(triangle, Effort::kAll).has_value());
   EXPECT_EQ(reducer.yield().left, 3);
 }
 

@@ -135,7 +135,9 @@ TEST(Infeasible, IsSaidOfTheComponentThatIs) {
 }
 
 TEST(Reports, AddUpToTheWhole) {
-  const Solution solution = solve(support::two_components().problem);
+  Options options;
+  options.search.reductions = Reductions::kNone;
+  const Solution solution = solve(support::two_components().problem, options);
   ASSERT_EQ(solution.components.size(), 2u);
   double cost = 0;
   double lower_bound = 0;
