@@ -72,7 +72,7 @@ of every generated family at its default parameters.
 
 All rules in turn until none does anything. *Outweighing + excluded*: arcs taken, and others that these exclude. *Single + unprofitable*: arcs that became
 the cost of leaving their index alone, and others that cost no less. *Sides: arcs*: parts that hung on one index, and their arcs. *Settled quickly*: components
-of which the rules of `search.reductions=quick` leave nothing; *settled*: those of `all`.
+that `search.reductions=quick` settles; *settled*: those of which all rules leave nothing.
 
 {first}
 

@@ -3,10 +3,11 @@
 //   build/release/bench/reductions_benchmark [--limit S] FILE...
 //
 // Prints two tables in Markdown, one row a file.  The first: all rules together on the components
-// that the cost shift leaves; how many the quick rules settle, how many all do.  The second, of
-// components of more than 128 arcs: what is left when 50 evaluations of the dual function and the
-// best solution that a solve of S seconds (default 5) finds have fixed what they can, how many arcs
-// fixing takes, into how many components that leaves it, and what the rules remove then.
+// that the cost shift leaves; how many search.reductions=quick settles, and of how many all rules
+// leave nothing.  The second, of components of more than 128 arcs: what is left when 50 evaluations
+// of the dual function and the best solution that a solve of S seconds (default 5) finds have fixed
+// what they can, how many arcs fixing takes, into how many components that leaves it, and what the
+// rules remove then.
 
 #include <cmath>
 #include <cstdio>
@@ -48,8 +49,7 @@ struct Row {
 
 void reduce(const Component& component, Row& row) {
   nda::reduce::Reducer reducer;
-  reducer.reduce(component, Effort::kQuick);
-  row.settled_quickly += reducer.yield().left == 0;
+  row.settled_quickly += reducer.settle(component, Effort::kQuick).has_value();
   reducer.reduce(component, Effort::kAll);
   row.settled += reducer.yield().left == 0;
   row.yield += reducer.yield();
