@@ -36,8 +36,9 @@ double certificate_of(const Component& component, std::span<const double> u) {
   return certificate;
 }
 
-// Whether the cheapest arc outweighs all it excludes (outweighing_arcs.hpp).
+// Whether the cheapest arc, if there is any, outweighs all it excludes (outweighing_arcs.hpp).
 bool cheapest_outweighs(const Component& component) {
+  if (component.num_arcs() == 0) return true;
   const auto cheapest = static_cast<ArcId>(
       std::min_element(component.costs.begin(), component.costs.end()) - component.costs.begin());
   std::vector<std::uint32_t> shared(component.num_arcs(), 0);

@@ -79,6 +79,17 @@ TEST(Reducer, SettlesWithTheOptimumAndACertificate) {
   EXPECT_GT(settled, 2000);
 }
 
+TEST(Reducer, SettlesWhatHasNoArcs) {
+  Reducer reducer;
+  for (const Effort effort : {Effort::kQuick, Effort::kAll}) {
+    const std::optional<Settled> result = reducer.settle(make({2, 1}, {}), effort);
+    ASSERT_TRUE(result.has_value());
+    EXPECT_EQ(result->best.cost, 0);
+    EXPECT_EQ(result->certificate, 0);
+    EXPECT_EQ(result->u, std::vector<double>(5, 0.0));
+  }
+}
+
 TEST(Reducer, SettlesNothingWhereTheRelaxationHasAGap) {
   const core::Component triangle =
       make({1, 1, 1}, {{{0, 1, 1}, -2}, {{1, 0, 1}, -2}, {{1, 1, 0}, -2}});
