@@ -1,0 +1,1 @@
+"""What bench/rivals.py is made of; each module opens with what it is for."""

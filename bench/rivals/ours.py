@@ -1,0 +1,64 @@
+"""nda as a user runs it: one thread, its own clock, its answer verified by `nda check`."""
+
+import json
+import pathlib
+import resource
+import subprocess
+import tempfile
+
+import numpy as np
+
+from rivals.setups import Outcome
+
+
+def version(nda):
+    return subprocess.run([nda, "--version"], capture_output=True, text=True, check=True).stdout.strip()
+
+
+def solve(nda, path, limit_s):
+    """(outcome, why it is wrong or ""): times from a run without log, costs against time from one with."""
+    with tempfile.TemporaryDirectory() as name:
+        output = pathlib.Path(name) / "solution.json"
+        seconds, log = _run(nda, path, limit_s, output, "--log-interval", "0")
+        solution = json.loads(output.read_text())
+        if solution["proven"]:
+            quiet, _ = _run(nda, path, limit_s, output, "--quiet")
+            seconds = min(seconds, quiet)
+        check = subprocess.run([nda, "check", path, output], capture_output=True, text=True, check=False)
+    outcome = _outcome(solution, seconds, log)
+    if check.returncode != 0:
+        outcome.status = "wrong"
+        return outcome, (check.stdout.splitlines() or ["nda check failed"])[-1]
+    return outcome, ""
+
+
+def _run(nda, path, limit_s, output, *options):
+    """Seconds (of its clock or of the processor, reading included, whichever is less) and lines of the log."""
+    command = [nda, "solve", path, "--threads", "1", "--time-limit", str(limit_s), "--output", output, *options]
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    log = subprocess.run(command, check=False, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True).stderr
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    cpu = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    return min(json.loads(output.read_text())["stats"]["solve_seconds"], cpu), log.splitlines()
+
+
+def incumbents(log):
+    """Pairs (second, cost) from the log of nda, where the cost gets better."""
+    found = []
+    for line in log:
+        words = line.split()
+        try:
+            second, cost = float(words[0]), float(words[1])
+        except (IndexError, ValueError):
+            continue
+        if np.isfinite(cost) and (not found or cost < found[-1][1]):
+            found.append((second, cost))
+    return found
+
+
+def _outcome(solution, seconds, log):
+    cost = solution["cost"] if solution["solutions"] else np.inf
+    status = "optimal" if solution["proven"] else "limit" if solution["status"] == "time_limit" else "failed"
+    if solution["status"] == "infeasible":
+        status = "infeasible"
+    return Outcome(status, seconds, float(cost), float(solution["lower_bound"]), incumbents(log))
