@@ -19,6 +19,7 @@ the PATH, are used where they are there.
 """
 
 import argparse
+import functools
 import hashlib
 import os
 import pathlib
@@ -71,9 +72,13 @@ class Bench:
         self.store = store.Store(arguments.csv)
         self.machine = machine()
         self.found = {name: RIVALS[name].find() for name in arguments.rivals if RIVALS[name].find()}
-        digest = hashlib.sha256(arguments.nda.read_bytes()).hexdigest()[:8]
-        self.ours = f"{ours.version(arguments.nda)} ({digest})"
         self._cached = (None, None)
+
+    @functools.cached_property
+    def ours(self):
+        """Version of nda and the beginning of its binary's hash."""
+        digest = hashlib.sha256(self.arguments.nda.read_bytes()).hexdigest()[:8]
+        return f"{ours.version(self.arguments.nda)} ({digest})"
 
     def loaded(self, instance):
         """The problem and how many components it has; the last one is kept."""
@@ -177,7 +182,7 @@ def main():
             found = families.instances(arguments.nda, pathlib.Path(name), arguments.quick, arguments.pattern, known)
             bench.forget(found)
             bench.run_all(found)
-    results = figures.Results(bench.store)
+    results = figures.Results(bench.store.rows)
     tables = page.tables(results)
     if arguments.page:
         page.write(arguments.page, tables)

@@ -87,18 +87,19 @@ def tolerance(row, value):
 
 
 class Results:
-    """All figures of a store."""
+    """All figures of the rows of a store."""
 
-    def __init__(self, store):
+    def __init__(self, rows):
         self._groups = {}
-        for row in store.rows:
+        for row in rows:
             self._groups.setdefault(row.key, []).append(row)
-        self.best_known = store.best_known()
-        self.about = {row.instance: row for row in store.rows}
-        self.contradictions = contradictions(store.rows, self.best_known)
-        self.programs = sorted({row.program for row in store.rows})
-        self.machines = sorted({row.machine for row in store.rows})
-        self.limits = sorted({row.limit_s for row in store.rows})
+        self.best_known = best_known(rows)
+        self.about = {row.instance: row for row in rows}
+        self.contradictions = contradictions(rows, self.best_known)
+        self.failures = [row for row in rows if row.status not in CLEANLY_ENDED]
+        self.programs = sorted({row.program for row in rows})
+        self.machines = sorted({row.machine for row in rows})
+        self.limits = sorted({row.limit_s for row in rows})
 
     @property
     def methods(self):
@@ -152,6 +153,10 @@ class Results:
             return Time(median, True)
         return Time(max(row.seconds for row in rows), False)
 
+    def best_target_time(self, name, share):
+        """The same of the fastest rival."""
+        return best([time for time in (self.target_time(name, method, share) for method in self.methods) if time])
+
     def ratios(self, names, method):
         """Ratios of one rival, or of the best one where method is None."""
         found = (ratio(self.time(name, method) if method else self.best_rival(name), self.time(name, OURS)) for name in names)
@@ -163,12 +168,21 @@ class Results:
         return sorted([(name, item) for name, item in pairs if item and item.is_loss], key=lambda pair: pair[1].value)
 
 
-def contradictions(rows, best_known):
+def best_known(rows):
+    """instance -> the least cost that anyone found or that is listed."""
+    found = {}
+    for row in rows:
+        costs = [row.cost if row.status != "wrong" else math.inf, math.inf if math.isnan(row.best_known) else row.best_known]
+        found[row.instance] = min(found.get(row.instance, math.inf), *costs)
+    return found
+
+
+def contradictions(rows, least):
     """Answers that are no solution, optima and bounds above what was found, infeasibility where there is a solution."""
     found = []
     for row in rows:
         who = f"{row.instance}: {row.solver} {row.setup}, run {row.run}:"
-        value = best_known[row.instance]
+        value = least[row.instance]
         allowed = tolerance(row, value)
         if row.status == "wrong":
             found.append(f"{who} its answer is no solution {row.note}".rstrip())

@@ -84,10 +84,11 @@ def tiny_text(results):
 def target_table(results, many):
     """Reached by how many, and mean seconds, for every share."""
     rows = []
-    for method in [OURS, *results.methods]:
-        cells = [title(method)]
+    for method in [OURS, None, *results.methods]:
+        cells = ["**best rival**" if method is None else title(method)]
         for share in TARGETS:
-            times = [results.target_time(name, method, share) for name in results.names(many)]
+            names = results.names(many)
+            times = [results.target_time(name, method, share) if method else results.best_target_time(name, share) for name in names]
             times = [time for time in times if time]
             mean = shifted_mean([time.seconds for time in times]) if times else None
             cells += [f"{sum(time.proven for time in times)} of {len(times)}", "-" if mean is None else seconds_text(mean)]
@@ -138,6 +139,8 @@ def tables(results):
         "### Time to good solutions",
         target_table(results, True),
         target_table(results, False),
+        "### Runs that failed",
+        "\n".join(f"- {row.instance}, {row.solver} {row.setup}: {row.status} {row.note}".rstrip() for row in results.failures) or "None.",
         "### Contradictions",
         "\n".join(f"- {line}" for line in results.contradictions) or "None: no two answers contradict each other.",
     ]

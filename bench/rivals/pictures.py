@@ -56,7 +56,8 @@ def draw(results, folder):
         good = {name: {m: results.target_time(name, m, GOOD) for m in methods} for name in names}
         _panel(panels[1], good, SHIFT_S, f"within {100 * GOOD:g} % of the best known")
         panels[0].set_ylabel("share of the problems")
-        panels[1].legend(fontsize=7, loc="lower right")
+        if names:
+            panels[1].legend(fontsize=7, loc="lower right")
         figure.tight_layout()
         figure.savefig(folder / f"rivals-{'many' if many else 'few'}.png", dpi=110)
         plt.close(figure)

@@ -2,7 +2,6 @@
 
 import csv
 import dataclasses
-import math
 
 
 @dataclasses.dataclass
@@ -101,12 +100,3 @@ class Store:
             return range(0)
         proven = sum(row.proven for row in done)
         return range(proven, max(proven, repeat))
-
-    def best_known(self):
-        """instance -> the least cost that anyone found or that is listed."""
-        best = {}
-        for row in self.rows:
-            listed = row.best_known if not math.isnan(row.best_known) else math.inf
-            cost = row.cost if row.status != "wrong" else math.inf
-            best[row.instance] = min(best.get(row.instance, math.inf), cost, listed)
-        return best

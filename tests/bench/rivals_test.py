@@ -210,9 +210,7 @@ def row(solver="highs", setup="whole", status="optimal", seconds=1.0, cost=-10.0
 
 
 def results(*rows):
-    kept = store.Store(None)
-    kept.rows = list(rows)
-    return figures.Results(kept)
+    return figures.Results(rows)
 
 
 NDA_ROW = {"solver": "nda", "setup": "default"}
