@@ -38,6 +38,8 @@ GENERATED = {
     "map3-n10": "map3 --size 10 --seed 2",
     "map3-n20": "map3 --size 20 --seed 2",
     "map3-n30": "map3 --size 30 --max-cost 1000 --seed 2",
+    "planted-m200": "planted --size 200 --arcs 3000 --seed 2",
+    "planted-m400": "planted --size 400 --arcs 8000 --seed 2",
     "planted-free": "planted --seed 2",
     "planted-priced": "planted --singletons priced --seed 2",
     "planted-forbidden": "planted --singletons forbidden --miss-rate 0 --seed 2",

@@ -118,9 +118,9 @@ def read_problem(path):
     tuples, costs = table[:, :-1].astype(int), table[:, -1]
     single = (tuples > 0).sum(axis=1) == 1
     first = np.concatenate([[0], np.cumsum(sizes)[:-1]])
-    singletons = np.zeros(sizes.sum())
+    singletons = np.full(sizes.sum(), np.nan)
     rows = (tuples[single] - 1 + first)[tuples[single] > 0]
-    for row, cost in zip(rows, costs[single]):
-        singletons[row] = cost
+    np.fmin.at(singletons, rows, costs[single])  # of equal tuples the cheapest counts
+    singletons[np.isnan(singletons)] = 0.0
     useful = ~single & np.isfinite(costs)
     return Problem(sizes, tuples[useful], costs[useful], singletons)

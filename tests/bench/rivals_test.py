@@ -48,6 +48,10 @@ class Problems(Folder):
         self.assertEqual(list(read.singletons), [0, 0, 5, 0, 0, 1])
         self.assertEqual(list(read.shifted_costs()), [-5, -4, -4, -4])
 
+    def test_takes_the_cheapest_of_equal_tuples(self):
+        read = self.read("p nda 2 1 1 5\na 1 0 -3\na 1 0 -2\na 0 1 inf\na 0 1 4\na 1 1 9\n")
+        self.assertEqual(list(read.singletons), [-3, 4])
+
     def test_splits_what_shares_no_index(self):
         self.assertEqual([list(part.arcs) for part in self.read(self.TWO_PARTS).parts()], [[3], [0, 1, 2]])
 
