@@ -13,6 +13,7 @@ STYLES = {"default": "-", "whole": ":", "parts": "--", "core": "-"}
 LEAST_S = 1e-4  # of a proof; less than that counts as that
 GOOD = 0.001
 LARGEST_FACTOR = 1e4
+LEAST_SHARE = 0.9  # of the problems: a profile of fewer, the easier ones as a rule, would mislead
 
 
 def profile(times, least_s):
@@ -30,6 +31,8 @@ def profile(times, least_s):
 
 def _panel(axes, times, least_s, label):
     for method, (factors, count) in profile(times, least_s).items():
+        if count < LEAST_SHARE * len(times):
+            continue
         shares = [(k + 1) / count for k in range(len(factors))]
         axes.step(
             [1, *factors, LARGEST_FACTOR],
