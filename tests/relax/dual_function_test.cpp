@@ -285,6 +285,28 @@ TEST(DualFunction, AllocatesNothingAfterTheFirstEvaluation) {
   }
 }
 
+// 400 x 400 pairs: more than an assignment looks at before it asks for the time.
+TEST(DualFunction, IsFiniteWhereTheDeadlineStrikes) {
+  Component component = core::make_component({400, 400, 2});
+  for (Index i = 1; i <= 400; ++i) {
+    for (Index j = 1; j <= 400; ++j) {
+      core::append_arc(component, std::vector<Index>{i, j, 1 + (i + j) % 2}, -1.0 * i * j);
+    }
+  }
+  for (const Assign2dMethod method : kMethods) {
+    DualFunction function(component, method, core::Deadline(1e-9));
+    std::vector<double> u(function.num_variables(), -1.0);
+    u[0] = 0;
+    std::vector<double> subgradient(u.size());
+    EXPECT_TRUE(std::isfinite(function.evaluate(u, subgradient)));
+    EXPECT_EQ(function.interrupted(), method != Assign2dMethod::kNetworkSimplex);
+    std::vector<double> all(component.num_slots());
+    function.multipliers(all);
+    EXPECT_TRUE(std::all_of(all.begin(), all.end(), [](double x) { return std::isfinite(x); }));
+    EXPECT_TRUE(std::isfinite(make_feasible(component, all)));
+  }
+}
+
 TEST(MakeFeasible, RepairsAndNeverLowersWhatIsFeasible) {
   for (std::uint64_t seed = 0; seed < 2000; ++seed) {
     SCOPED_TRACE(seed);
