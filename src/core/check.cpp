@@ -24,7 +24,10 @@ std::string number(double value) {
 
 std::string tuple_text(const std::vector<Index>& tuple) {
   std::string text = "(";
-  for (const Index i : tuple) text += (text.size() > 1 ? " " : "") + std::to_string(i);
+  for (const Index i : tuple) {
+    if (text.size() > 1) text += ' ';
+    text += std::to_string(i);
+  }
   return text + ")";
 }
 

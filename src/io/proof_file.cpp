@@ -1,5 +1,7 @@
 #include "io/proof_file.hpp"
 
+#include <bit>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <utility>
@@ -12,8 +14,10 @@
 //     part INDICES STEPS  then for each index: dimension index
 //     bound POINT | fix THRESHOLD POINT | search THRESHOLD POINT | together P P | apart P P
 //     POINT = CHANGES (position value)...  CUTS (multiplier divisor SIZE (position weight)...)...
+//     end DIGEST
 //
-// Positions and dimensions count from 1.
+// Positions and dimensions count from 1.  The digest is of what the numbers mean, not of the text:
+// a file that was damaged or changed anywhere is refused, however it was laid out.
 
 namespace nda::io {
 namespace {
@@ -33,6 +37,68 @@ bool is_branching(ProofRule rule) {
   return rule == ProofRule::kTogether || rule == ProofRule::kApart;
 }
 
+// FNV-1a (Fowler, Noll & Vo) of a proof, 64 bits.
+class Digest {
+ public:
+  explicit Digest(const Proof& proof) {
+    add_all(proof.sizes);
+    add(proof.num_arcs);
+    add(proof.grid);
+    add(proof.parts.size());
+    for (const ProofPart& part : proof.parts) add(part);
+  }
+
+  std::uint64_t value() const { return hash_; }
+
+ private:
+  void add(std::uint64_t value) {
+    constexpr std::uint64_t kPrime = 0x100000001b3;
+    for (int byte = 0; byte < 8; ++byte, value >>= 8) hash_ = (hash_ ^ (value & 0xff)) * kPrime;
+  }
+
+  void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
+
+  template <typename Numbers>
+  void add_all(const Numbers& numbers) {
+    add(std::uint64_t{numbers.size()});
+    for (const auto number : numbers) add(std::uint64_t{number});
+  }
+
+  void add(const ProofPart& part) {
+    add(std::uint64_t{part.indices.size()});
+    for (const ProofIndex& index : part.indices) {
+      add(static_cast<std::uint64_t>(index.dimension));
+      add(std::uint64_t{index.index});
+    }
+    add(std::uint64_t{part.steps.size()});
+    for (const ProofStep& step : part.steps) add(step);
+  }
+
+  void add(const ProofStep& step) {
+    add(static_cast<std::uint64_t>(step.rule));
+    if (is_branching(step.rule)) {
+      add(std::uint64_t{step.first});
+      add(std::uint64_t{step.second});
+      return;
+    }
+    if (has_threshold(step.rule)) add(step.threshold);
+    add(std::uint64_t{step.point.changes.size()});
+    for (const ProofMultiplier& change : step.point.changes) {
+      add(std::uint64_t{change.position});
+      add(change.value);
+    }
+    add(std::uint64_t{step.point.cuts.size()});
+    for (const ProofCut& cut : step.point.cuts) {
+      add(cut.multiplier);
+      add(std::uint64_t{cut.divisor});
+      add_all(cut.positions);
+      add_all(cut.weights);
+    }
+  }
+
+  std::uint64_t hash_ = 0xcbf29ce484222325;
+};
+
 class ProofWriter {
  public:
   explicit ProofWriter(TextWriter& out) : out_(out) {}
@@ -45,6 +111,8 @@ class ProofWriter {
     number(proof.grid);
     number(static_cast<std::uint64_t>(proof.parts.size()));
     for (const ProofPart& part : proof.parts) write(part);
+    word("end");
+    number(Digest(proof).value());
     out_ << '\n';
     out_.finish();
   }
@@ -120,6 +188,7 @@ class ProofReader {
     proof.grid = real("the grid");
     const std::uint64_t parts = count("parts", kLeastBytesPerPart);
     for (std::uint64_t p = 0; p < parts; ++p) proof.parts.push_back(read_part());
+    check_digest(Digest(proof).value());
     if (scanner_.next_word()) scanner_.fail("unexpected " + scanner_.found());
     return proof;
   }
@@ -130,6 +199,14 @@ class ProofReader {
   static constexpr std::size_t kLeastBytesPerPair = 4;  // "1 1 "
   static constexpr std::size_t kLeastBytesPerCut = 6;   // "0 1 0 "
   static constexpr std::size_t kLeastBytesPerStep = 9;  // "apart 1 2"
+
+  void check_digest(std::uint64_t digest) {
+    expect("end");
+    const std::uint64_t stated = whole("a digest", std::numeric_limits<std::uint64_t>::max());
+    if (stated == digest) return;
+    scanner_.fail("the proof was changed: its digest is " + std::to_string(digest) + ", not " +
+                  std::to_string(stated));
+  }
 
   ProofPart read_part() {
     expect("part");

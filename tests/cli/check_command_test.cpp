@@ -91,7 +91,14 @@ TEST(CheckCommand, FollowsAProof) {
   EXPECT_THAT(right.output, HasSubstr("bound right         yes\n"));
   EXPECT_THAT(right.output, HasSubstr("proof's bound       -1.25"));
 
-  write_file(folder / "bad.proof", "p nda-proof 3 1 1 1 3 0 1\npart 3 1 1 1 2 1 3 1\nbound 0 0\n");
+  write_file(folder / "bad.proof",
+             "p nda-proof 3 1 1 1 3 0 1\npart 3 1 1 1 2 1 3 1\nbound 0 0\nend 0\n");
+  const std::string digest = run(folder, "nda check a.nda a.json --proof bad.proof").log;
+  const std::size_t at = digest.find("its digest is ");
+  ASSERT_NE(at, std::string::npos) << digest;
+  write_file(folder / "bad.proof",
+             "p nda-proof 3 1 1 1 3 0 1\npart 3 1 1 1 2 1 3 1\nbound 0 0\nend " +
+                 digest.substr(at + 14, digest.find(',', at) - at - 14) + "\n");
   const Outcome wrong = run(folder, "nda check a.nda a.json --proof bad.proof");
   EXPECT_EQ(wrong.code, 1);
   EXPECT_THAT(wrong.output, HasSubstr("fault: lower bound -1.25 is stated, the multipliers prove"));

@@ -161,6 +161,63 @@ TEST(Proof, SurvivesItsFile) {
   }
 }
 
+// A byte changed, left out or put in: refused, or the same proof laid out otherwise.
+TEST(Proof, IsRefusedWhenItsFileWasChanged) {
+  core::Random random(2);
+  int num_changed = 0;
+  for (std::uint64_t seed = 0; num_changed < 1000; seed = (seed + 1) % 200) {
+    std::ostringstream written;
+    write_proof(*solve(gapped_problem(seed), branching()).proof, written);
+    const std::string text = written.str();
+    for (int trial = 0; trial < 20; ++trial) {
+      std::string changed = text;
+      const std::size_t at = random.below(text.size());
+      const char byte = "0123456789.-e \nabps"[random.below(19)];
+      switch (random.below(4)) {
+        case 0:
+          changed[at] = byte;
+          break;
+        case 1:
+          changed.erase(at, 1);
+          break;
+        case 2:
+          changed.insert(at, 1, byte);
+          break;
+        default:
+          changed.resize(at);
+      }
+      try {
+        std::ostringstream again;
+        write_proof(parse_proof(changed), again);
+        ASSERT_EQ(again.str(), text) << changed;
+      } catch (const InputError&) {
+        ++num_changed;
+      }
+    }
+  }
+}
+
+// Not by an accident of the text: the numbers of one proof under the digest of another.
+TEST(Proof, IsRefusedUnderTheDigestOfAnother) {
+  core::Random random(3);
+  int num_mutants = 0;
+  for (std::uint64_t seed = 0; num_mutants < 1000; seed = (seed + 1) % 200) {
+    const Solution solution = solve(gapped_problem(seed), branching());
+    std::ostringstream right;
+    write_proof(*solution.proof, right);
+    const std::string digest = right.str().substr(right.str().rfind("end"));
+    for (int trial = 0; trial < 20 && !solution.proof->parts.empty(); ++trial) {
+      Proof changed = *solution.proof;
+      if (!mutate(changed, random)) continue;
+      std::ostringstream wrong;
+      write_proof(changed, wrong);
+      const std::string text = wrong.str();
+      ++num_mutants;
+      ASSERT_THROW(parse_proof(text.substr(0, text.rfind("end")) + digest), InputError) << text;
+    }
+  }
+}
+
 TEST(Proof, DoesNotDependOnTheNumberOfThreads) {
   Options options = branching();
   std::ostringstream one, two;
