@@ -181,7 +181,7 @@ void add_search_and_branch(std::vector<OptionRow>& rows) {
       "branch.exact_arcs",
       [](auto& options) -> auto& { return options.branch.exact_arcs; },
       {},
-      "components of at most so many arcs are enumerated"));
+      "components of at most so many arcs are enumerated first"));
   rows.push_back(number<std::int64_t>(
       "branch.max_nodes",
       [](auto& options) -> auto& { return options.branch.max_nodes; },

@@ -20,10 +20,10 @@ using core::Component;
 using core::Packing;
 
 // Work of neighbourhood search: at first, for every index, and where the gap is wide, for every
-// pair of indices.
+// pair of an index and an arc.
 constexpr double kFirstWork = 2e6;
 constexpr double kFirstWorkPerIndex = 10000;
-constexpr double kWideWorkPerPair = 5e4;
+constexpr double kWideWorkPerPair = 3000;
 constexpr double kMostWideWork = 5e8;
 constexpr double kWideGap = 0.02;
 constexpr double kWideRounds = 16;
@@ -35,8 +35,9 @@ double ComponentSolver::first_work() const {
 }
 
 double ComponentSolver::wide_work() const {
-  const auto size = static_cast<double>(component_.num_indices());
-  return std::min(kMostWideWork, kWideWorkPerPair * size * size);
+  const auto indices = static_cast<double>(component_.num_indices());
+  const auto arcs = static_cast<double>(component_.num_arcs());
+  return std::min(kMostWideWork, kWideWorkPerPair * indices * arcs);
 }
 
 // What branch and cut leaves to the search for packings.

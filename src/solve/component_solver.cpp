@@ -30,6 +30,8 @@ using core::Component;
 using core::Packing;
 
 constexpr std::int64_t kEnumerationNodes = 200000;
+// Better multipliers, those of a linear program, end what takes longer sooner.
+constexpr std::int64_t kNodesBeforeRelaxation = 100;
 constexpr int kFeasibleSweeps = 3;
 // Above this the linear program would be too large to be of use, and memory runs out.
 constexpr std::size_t kMostCuttingArcs = 2000000;
@@ -262,7 +264,9 @@ void ComponentSolver::enumerate() {
   for (int sweep = 1; sweep < kFeasibleSweeps; ++sweep) {
     if (relax::make_feasible(component_, u, deadline_) == -kInfinity) return;
   }
-  const std::int64_t max_nodes = std::min(kEnumerationNodes, options_.branch.max_nodes);
+  const std::int64_t patience =
+      options_.method == Method::kExact ? kEnumerationNodes : kNodesBeforeRelaxation;
+  const std::int64_t max_nodes = std::min(patience, options_.branch.max_nodes);
   const bnb::SearchResult result =
       bnb::enumerate(component_, u, precision_.margin, max_nodes, deadline_);
   state_.nodes += result.nodes;
