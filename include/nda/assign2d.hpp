@@ -89,8 +89,9 @@ class Assign2dSolver {
   }
 
   /// From now on a solve asks `stop` (null: nobody) every 50000 pairs or so that it looks at, and
-  /// throws Assign2dInterrupted when that answers true.  `result` is then of the right shape and
-  /// assigns nobody twice, but proves nothing.  kNetworkSimplex asks only at the end.
+  /// throws Assign2dInterrupted when that answers true.  `result` is then of the right shape, has
+  /// finite duals and assigns nobody twice, but proves nothing.  kNetworkSimplex asks only at the
+  /// end.
   virtual void set_stop(const std::function<bool()>* stop) = 0;
 
  private:

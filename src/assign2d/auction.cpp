@@ -42,6 +42,12 @@ double largest_finite(std::span<const double> costs) {
   return largest;
 }
 
+// Who has made no bid yet has no price.
+void forget_infinite(std::vector<double>& duals) {
+  std::replace_if(
+      duals.begin(), duals.end(), [](double x) { return !std::isfinite(x); }, 0.0);
+}
+
 }  // namespace
 
 template <class View>
@@ -108,8 +114,13 @@ void AuctionSolver::do_solve(const Assign2dProblem& problem, Assign2dResult& res
   span_ = 2 * scale;
   const double last = kLastEpsilon * scale;
   double epsilon = is_warm ? last : kFirstEpsilon * scale;
-  while (scale > 0 && run_round(problem, epsilon, result) && epsilon > last) {
-    epsilon = std::max(last, epsilon * kEpsilonFactor);
+  try {
+    while (scale > 0 && run_round(problem, epsilon, result) && epsilon > last) {
+      epsilon = std::max(last, epsilon * kEpsilonFactor);
+    }
+  } catch (const Assign2dInterrupted&) {
+    forget_infinite(result.u);
+    throw;
   }
   finisher_.solve_warm(problem, result);
 }

@@ -1,7 +1,6 @@
 #include "relax/dual_function.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "core/min_max.hpp"
@@ -86,11 +85,6 @@ struct DualFunction::Assignment {
     try {
       solver->solve_warm({row_start, column, cost, row_outside, column_outside}, result);
     } catch (const Assign2dInterrupted&) {
-      // The auction may have no price yet.
-      for (std::vector<double>* duals : {&result.u, &result.v}) {
-        std::replace_if(
-            duals->begin(), duals->end(), [](double x) { return !std::isfinite(x); }, 0.0);
-      }
       result.cost = std::accumulate(result.u.begin(), result.u.end(), 0.0);
       result.cost = std::accumulate(result.v.begin(), result.v.end(), result.cost);
       return false;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -44,6 +45,8 @@ TEST(SetStop, GivesUpAndLeavesTheSolverAndTheResultUsable) {
       solver->set_stop(&stop);
       EXPECT_THROW(solver->solve(market.view(), result), Assign2dInterrupted);
       ASSERT_EQ(result.column_of_row.size(), Market::kSize);
+      for (const double dual : result.u) EXPECT_TRUE(std::isfinite(dual));
+      for (const double dual : result.v) EXPECT_TRUE(std::isfinite(dual));
       for (std::uint32_t i = 0; i < Market::kSize; ++i) {
         const std::int32_t j = result.column_of_row[i];
         if (j != kUnassigned) {
