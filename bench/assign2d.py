@@ -27,6 +27,8 @@ from scipy.sparse import csr_matrix, hstack, identity
 from scipy.sparse.csgraph import min_weight_full_bipartite_matching
 from scipy.spatial import cKDTree
 
+from shared import processor
+
 SIZES = [10, 50, 100, 200, 500, 1000, 2000, 5000]
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 METHODS = ["shortest-path", "auction", "network-simplex"]
@@ -157,11 +159,6 @@ def measure(program, families, sizes, limit_s):
             row = table_row(family, n, matrix, scipy_us, ours)
             print(row, flush=True)
             yield row
-
-
-def processor():
-    lines = open("/proc/cpuinfo").read().splitlines()
-    return next((line.split(":")[1].strip() for line in lines if line.startswith("model name")), "?")
 
 
 def main():

@@ -7,21 +7,18 @@ builds build/release/bench/nonsmooth_table_benchmark, runs it and puts its outpu
 so the output is the same on every machine.
 """
 
-import pathlib
 import subprocess
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+from shared import ROOT, build, write_between
+
 PAGE = ROOT / "docs/nonsmooth.md"
 BEGIN, END = "<!-- tables: bench/nonsmooth.py -->\n", "<!-- end of tables -->"
 
 
 def main():
-    subprocess.run(["cmake", "--preset", "release", "-DNDA_BUILD_BENCHMARKS=ON"], cwd=ROOT, check=True)
-    subprocess.run(["cmake", "--build", ROOT / "build/release", "--target", "nonsmooth_table_benchmark"], check=True)
-    program = ROOT / "build/release/bench/nonsmooth_table_benchmark"
+    program = build("nonsmooth_table_benchmark") / "nonsmooth_table_benchmark"
     tables = subprocess.run([program], check=True, stdout=subprocess.PIPE, text=True).stdout
-    head, rest = PAGE.read_text().split(BEGIN)
-    PAGE.write_text(head + BEGIN + "\n" + tables + "\n" + END + rest.split(END)[1])
+    write_between(PAGE, BEGIN, END, "\n" + tables + "\n")
     print(tables)
 
 

@@ -20,6 +20,8 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
+from shared import build, write_between
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build/release"
 PROGRAMS = ("report_benchmark", "dual_methods_benchmark", "exact_threshold_benchmark")
@@ -27,11 +29,6 @@ IMAGES = ROOT / "docs/images"
 LEAST_R2 = 0.99
 NONSMOOTH = ROOT / "docs/nonsmooth.md"
 BEGIN, END = "<!-- tracking: bench/report.py -->\n", "<!-- end of tracking -->"
-
-
-def build():
-    subprocess.run(["cmake", "--preset", "release", "-DNDA_BUILD_BENCHMARKS=ON"], cwd=ROOT, check=True)
-    subprocess.run(["cmake", "--build", BUILD, "--target", *PROGRAMS], check=True)
 
 
 def output(*command):
@@ -194,13 +191,12 @@ The picture shows the reading with priced dummies, costs shifted.
 
 def write_sentence(methods):
     """The last paragraph of section 4.3 stands in docs/nonsmooth.md too."""
-    head, rest = NONSMOOTH.read_text().split(BEGIN)
-    NONSMOOTH.write_text(head + BEGIN + methods.strip().split("\n\n")[-1] + "\n" + END + rest.split(END)[1])
+    write_between(NONSMOOTH, BEGIN, END, methods.strip().split("\n\n")[-1] + "\n")
 
 
 def main():
     IMAGES.mkdir(parents=True, exist_ok=True)
-    build()
+    build(*PROGRAMS)
     arcs, steps, quality = run("arcs"), run("steps"), run("quality")
     arcs_fit = draw_growth(arcs, "arcs", "arcs", IMAGES / "report-5.1.png")
     steps_fit = draw_growth(steps, "steps", "nonsmooth steps", IMAGES / "report-5.2.png")

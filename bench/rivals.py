@@ -50,6 +50,7 @@ use_python_with_scipy()
 
 from instances import references  # noqa: E402
 from rivals import child, families, figures, libraries, ours, page, problem, program, setups, solvers, store  # noqa: E402
+from shared import processor  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 LOOP_S = 0.1
@@ -70,18 +71,13 @@ def stretched(limit_s):
     return limit_s * min(LARGEST_STRETCH, max(1.0, (time.perf_counter() - wall) / LOOP_S))
 
 
-def machine():
-    lines = pathlib.Path("/proc/cpuinfo").read_text().splitlines()
-    return next((line.split(":")[1].strip() for line in lines if line.startswith("model name")), "?")
-
-
 class Bench:
     """What all runs share."""
 
     def __init__(self, arguments):
         self.arguments = arguments
         self.store = store.Store(arguments.csv)
-        self.machine = machine()
+        self.machine = processor()
         self.found = {name: RIVALS[name].find() for name in arguments.rivals if RIVALS[name].find()}
         self._cached = (None, None)
 

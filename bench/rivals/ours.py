@@ -2,13 +2,13 @@
 
 import json
 import pathlib
-import resource
 import subprocess
 import tempfile
 
 import numpy as np
 
 from rivals.setups import Outcome
+from rivals.solvers import children_cpu_s
 
 
 def version(nda):
@@ -35,10 +35,9 @@ def solve(nda, path, limit_s):
 def _run(nda, path, limit_s, output, *options):
     """Seconds (of its clock or of the processor, reading included, whichever is less) and lines of the log."""
     command = [nda, "solve", path, "--threads", "1", "--time-limit", str(limit_s), "--output", output, *options]
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    before = children_cpu_s()
     log = subprocess.run(command, check=False, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True).stderr
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    cpu = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    cpu = children_cpu_s() - before
     return min(json.loads(output.read_text())["stats"]["solve_seconds"], cpu), log.splitlines()
 
 

@@ -1,5 +1,7 @@
 """The tables of docs/benchmarks.md, made from the figures."""
 
+from shared import write_between
+
 from rivals.figures import OURS, TARGETS, TINY_ARCS, geometric_mean, ratio, seconds_text, shifted_mean
 
 BEGIN, END = "<!-- tables: bench/rivals.py -->\n", "<!-- end of tables -->"
@@ -151,6 +153,4 @@ def tables(results):
 
 def write(path, text):
     """Puts the tables between the markers of a page."""
-    before, rest = path.read_text().split(BEGIN)
-    after = rest.split(END)[1]
-    path.write_text(f"{before}{BEGIN}\n{text}\n\n{END}{after}")
+    write_between(path, BEGIN, END, f"\n{text}\n\n")

@@ -5,14 +5,13 @@ Counted is what it prints as its run time, or the time of the processor that its
 
 import pathlib
 import re
-import resource
 import shutil
 import subprocess
 import tempfile
 
 import numpy as np
 
-from rivals.solvers import Spent, highs_incumbents, rounded
+from rivals.solvers import Spent, children_cpu_s, highs_incumbents, rounded
 
 HALF_A_HUNDREDTH = 0.005  # what a printed 0.00 may stand for
 
@@ -80,14 +79,13 @@ class HighsProgram:
             write_mps(model, folder / "model.mps")
             (folder / "options").write_text("mip_rel_gap = 0\nthreads = 1\nparallel = off\n")
             command = ["highs", "--options_file", "options", "--time_limit", str(max(0.01, limit_s))]
-            before = resource.getrusage(resource.RUSAGE_CHILDREN)
+            before = children_cpu_s()
             output = subprocess.run(
                 [*command, "--solution_file", "solution", "model.mps"], cwd=folder, capture_output=True, text=True, check=False
             ).stdout.splitlines()
-            after = resource.getrusage(resource.RUSAGE_CHILDREN)
+            cpu = children_cpu_s() - before
             solution = folder / "solution"
             lines = solution.read_text().splitlines() if solution.exists() else []
-        cpu = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
         printed = last_number(output, "HiGHS run time")
         spent = Spent(cpu if printed is None else max(printed, HALF_A_HUNDREDTH), cpu)
         status, x = read_solution(lines, len(model.costs))

@@ -7,6 +7,7 @@ rivals get one thread and the relative gap 0, and else their defaults.
 import dataclasses
 import importlib
 import re
+import resource
 import time
 import warnings
 
@@ -60,6 +61,12 @@ class Spent:
         """Pairs (second by the wall, value) with seconds as they are counted."""
         share = self.seconds / max(1e-9, self.wall)
         return [(min(self.seconds, share * second), value) for second, value in incumbents]
+
+
+def children_cpu_s():
+    """Time of the processor that all ended children of this process took."""
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
 
 
 def timed(spent, function, *arguments, **named):
