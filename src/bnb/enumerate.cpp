@@ -28,9 +28,7 @@ SearchResult enumerate(const core::Component& component,
   result.nodes = found.nodes;
   result.complete = found.complete;
   if (found.slack < kInfinity) {
-    std::vector<core::ArcId> chosen;
-    for (const std::uint32_t n : found.arcs) chosen.push_back(slack.arcs[n]);
-    result.best = core::make_packing(component, std::move(chosen));
+    result.best = core::make_packing(component, core::at_positions(slack.arcs, found.arcs));
     result.found = result.best.cost < cutoff;
   }
   if (result.complete) result.lower = result.found ? std::min(cutoff, result.best.cost) : cutoff;

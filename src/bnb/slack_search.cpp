@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "bnb/slack_parts.hpp"
+#include "core/lists.hpp"
 #include "core/pause.hpp"
 #include "nda/proof.hpp"
 
@@ -84,17 +85,11 @@ class SlackSearch {
   }
 
   void list_arcs_of_rows() {
-    row_start_.assign(problem_.num_rows() + std::size_t{1}, 0);
-    for (std::uint32_t a = 0; a < problem_.num_arcs(); ++a) {
-      for (const RowUse use : problem_.uses(a)) ++row_start_[use.row + std::size_t{1}];
-    }
-    for (std::size_t row = 0; row < problem_.num_rows(); ++row)
-      row_start_[row + 1] += row_start_[row];
-    row_arcs_.resize(row_start_.back());
-    std::vector<std::size_t> next(row_start_.begin(), row_start_.end() - 1);
-    for (std::uint32_t a = 0; a < problem_.num_arcs(); ++a) {
-      for (const RowUse use : problem_.uses(a)) row_arcs_[next[use.row]++] = {a, use.coefficient};
-    }
+    row_arcs_ = core::Lists<ArcUse>(problem_.num_rows(), [&](auto&& visit) {
+      for (std::uint32_t a = 0; a < problem_.num_arcs(); ++a) {
+        for (const RowUse use : problem_.uses(a)) visit(use.row, ArcUse{a, use.coefficient});
+      }
+    });
   }
 
   bool is_stopped() {
@@ -220,10 +215,10 @@ class SlackSearch {
   // The open arcs of a row, as long as none was dropped since they were counted.
   template <typename Visit>
   void for_each_open(Node& here, std::uint32_t row, Visit&& visit) {
-    for (std::size_t i = row_start_[row]; i < row_start_[row + std::size_t{1}]; ++i) {
-      const std::uint32_t position = position_[row_arcs_[i].arc];
-      if (position < here.arcs.size() && here.arcs[position].arc == row_arcs_[i].arc)
-        visit(here.arcs[position], row_arcs_[i].coefficient);
+    for (const ArcUse& use : row_arcs_[row]) {
+      const std::uint32_t position = position_[use.arc];
+      if (position < here.arcs.size() && here.arcs[position].arc == use.arc)
+        visit(here.arcs[position], use.coefficient);
     }
   }
 
@@ -359,12 +354,11 @@ class SlackSearch {
   const SlackProblem& problem_;
   const SlackLimits& limits_;
   const double least_step_;
-  std::vector<std::size_t> row_start_;
   struct ArcUse {
     std::uint32_t arc;
     std::uint32_t coefficient;
   };
-  std::vector<ArcUse> row_arcs_;         // by row
+  core::Lists<ArcUse> row_arcs_;         // by row
   std::vector<std::uint32_t> count_;     // [row]: coefficients of the open arcs
   std::vector<double> least_;            // [row]: least reduced cost of an open arc
   std::vector<double> sum_;              // [row]: of the reduced costs of the open arcs

@@ -81,16 +81,34 @@ Component whole_problem(const Problem& problem, const Shift& shift, const Deadli
   return component;
 }
 
+std::vector<ArcId> positions_in(std::span<const ArcId> ascending, std::span<const ArcId> arcs) {
+  std::vector<ArcId> positions;
+  for (const ArcId a : arcs) {
+    const auto at = std::lower_bound(ascending.begin(), ascending.end(), a);
+    if (at != ascending.end() && *at == a)
+      positions.push_back(static_cast<ArcId>(at - ascending.begin()));
+  }
+  return positions;
+}
+
+std::vector<ArcId> at_positions(std::span<const ArcId> list, std::span<const ArcId> positions) {
+  std::vector<ArcId> arcs;
+  for (const ArcId position : positions) arcs.push_back(list[position]);
+  return arcs;
+}
+
+Lists<ArcId> list_by_slot(const Component& component, std::span<const ArcId> arcs) {
+  return {component.num_slots(), [&](auto&& visit) {
+            for (const ArcId a : arcs)
+              for_each_slot(component, a, [&](std::uint32_t slot) { visit(slot, a); });
+          }};
+}
+
 std::vector<ArcId> arcs_from_original(const Component& component, std::vector<ArcId> originals) {
   std::sort(originals.begin(), originals.end());
   if (component.arc_origin.empty()) return originals;
   // Cutting keeps the order of arcs, so origins ascend.
-  for (ArcId& a : originals) {
-    const auto found =
-        std::lower_bound(component.arc_origin.begin(), component.arc_origin.end(), a);
-    a = static_cast<ArcId>(found - component.arc_origin.begin());
-  }
-  return originals;
+  return positions_in(component.arc_origin, originals);
 }
 
 namespace {

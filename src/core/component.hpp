@@ -7,6 +7,7 @@
 
 #include "core/clock.hpp"
 #include "core/column.hpp"
+#include "core/lists.hpp"
 #include "core/shift.hpp"
 #include "nda/problem.hpp"
 #include "nda/types.hpp"
@@ -124,6 +125,15 @@ class Cutter {
 inline ArcId original_arc(const Component& component, ArcId a) {
   return component.arc_origin.empty() ? a : component.arc_origin[a];
 }
+
+/// Where these arcs stand in an ascending list, in their order; those not in it are left out.
+std::vector<ArcId> positions_in(std::span<const ArcId> ascending, std::span<const ArcId> arcs);
+
+/// The inverse: what stands at these positions of a list, in their order.
+std::vector<ArcId> at_positions(std::span<const ArcId> list, std::span<const ArcId> positions);
+
+/// The arcs of every slot, each list in the order of `arcs`.
+Lists<ArcId> list_by_slot(const Component& component, std::span<const ArcId> arcs);
 
 /// The inverse: numbers in `component` of these original arcs, ascending.  All must be there.
 std::vector<ArcId> arcs_from_original(const Component& component, std::vector<ArcId> originals);

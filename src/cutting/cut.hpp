@@ -33,15 +33,13 @@ struct CutEntry {
 /// The arcs in every slot: what cuts are made of.  4 bytes per (arc, real index).
 class SlotIndex {
  public:
-  SlotIndex(const core::Component& component, std::span<const core::ArcId> arcs);
+  SlotIndex(const core::Component& component, std::span<const core::ArcId> arcs)
+      : arcs_(core::list_by_slot(component, arcs)) {}
 
-  std::span<const core::ArcId> operator[](std::uint32_t slot) const {
-    return std::span(arcs_).subspan(start_[slot], start_[slot + 1] - start_[slot]);
-  }
+  std::span<const core::ArcId> operator[](std::uint32_t slot) const { return arcs_[slot]; }
 
  private:
-  std::vector<std::uint32_t> start_;
-  std::vector<core::ArcId> arcs_;
+  core::Lists<core::ArcId> arcs_;
 };
 
 /// Lists the arcs of cuts; keeps its scratch memory, all 0, between calls.

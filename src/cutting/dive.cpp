@@ -27,8 +27,10 @@ class Dive {
     for (Order order = candidates(); !order.empty(); order = candidates()) {
       take(order);
       master_.trial(kMostPivots, deadline);
-      if (deadline.reached()) arcs_.clear();
-      if (deadline.reached()) break;
+      if (deadline.reached()) {
+        arcs_.clear();
+        break;
+      }
     }
     master_.allow(forbidden_);
     master_.solve(kInfinity, deadline);

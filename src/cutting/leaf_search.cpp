@@ -43,9 +43,8 @@ bool LeafSearch::operator()(const Master& master, double& cutoff) {
     nodes_ += result.nodes;
     work += result.work;
     if (result.slack < kInfinity) {
-      std::vector<ArcId> chosen;
-      for (const std::uint32_t n : result.arcs) chosen.push_back(arcs[n]);
-      const core::Packing packing = core::make_packing(component_, std::move(chosen));
+      const core::Packing packing =
+          core::make_packing(component_, core::at_positions(arcs, result.arcs));
       if (packing.cost < cutoff) cutoff = offer_(master, &packing);
     }
     if (!result.complete) break;

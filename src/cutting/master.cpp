@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/cheapest.hpp"
 #include "core/double_double.hpp"
 
 // A linear program of some thousand columns stands for millions of arcs: the multipliers of the
@@ -59,16 +60,7 @@ Master::Master(const Component& component, std::vector<ArcId> live, std::span<co
   price();
   std::vector<ArcId> start = live_;
   const std::size_t wanted = kStartArcs + kStartArcsPerIndex * component.num_indices();
-  if (start.size() > wanted) {
-    std::nth_element(start.begin(),
-                     start.begin() + static_cast<std::ptrdiff_t>(wanted),
-                     start.end(),
-                     [&](ArcId a, ArcId b) {
-                       return reduced_[a] != reduced_[b] ? reduced_[a] < reduced_[b] : a < b;
-                     });
-    start.resize(wanted);
-    std::sort(start.begin(), start.end());
-  }
+  core::keep_cheapest(start, wanted, [&](ArcId a) { return reduced_[a]; });
   insert(start);
 }
 
@@ -128,14 +120,7 @@ std::vector<ArcId> Master::entering() const {
     if (reduced_[a] * scale_ < -kTolerance && column_of_[a] < 0 && forbidden_[a] == 0)
       found.push_back(a);
   }
-  if (found.size() > kMostEntering) {
-    std::nth_element(
-        found.begin(), found.begin() + kMostEntering, found.end(), [&](ArcId a, ArcId b) {
-          return reduced_[a] != reduced_[b] ? reduced_[a] < reduced_[b] : a < b;
-        });
-    found.resize(kMostEntering);
-    std::sort(found.begin(), found.end());
-  }
+  core::keep_cheapest(found, kMostEntering, [&](ArcId a) { return reduced_[a]; });
   return found;
 }
 

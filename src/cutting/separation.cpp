@@ -71,14 +71,11 @@ Separator::Separator(const core::Component& component,
     });
     arc_start_.push_back(static_cast<std::uint32_t>(arc_rows_.size()));
   }
-  row_start_.assign(num_rows() + 1, 0);
-  for (const std::uint32_t row : arc_rows_) ++row_start_[row + 1];
-  for (std::size_t row = 0; row < num_rows(); ++row) row_start_[row + 1] += row_start_[row];
-  row_arcs_.resize(arc_rows_.size());
-  std::vector<std::uint32_t> next(row_start_.begin(), row_start_.end() - 1);
-  for (std::uint32_t a = 0; a < value_.size(); ++a) {
-    for (const std::uint32_t row : rows_of(a)) row_arcs_[next[row]++] = a;
-  }
+  row_arcs_ = core::Lists<std::uint32_t>(num_rows(), [&](auto&& visit) {
+    for (std::uint32_t a = 0; a < value_.size(); ++a) {
+      for (const std::uint32_t row : rows_of(a)) visit(row, a);
+    }
+  });
   arc_weight_.assign(value_.size(), 0);
   seen_.assign(value_.size(), 0);
   score_.assign(num_rows(), 0.0);

@@ -6,6 +6,7 @@
 
 #include "core/clock.hpp"
 #include "core/component.hpp"
+#include "core/lists.hpp"
 #include "core/random.hpp"
 #include "cutting/cut.hpp"
 
@@ -68,9 +69,7 @@ class Separator {
   std::span<const std::uint32_t> rows_of(std::uint32_t arc) const {
     return std::span(arc_rows_).subspan(arc_start_[arc], arc_start_[arc + 1] - arc_start_[arc]);
   }
-  std::span<const std::uint32_t> arcs_of(std::uint32_t row) const {
-    return std::span(row_arcs_).subspan(row_start_[row], row_start_[row + 1] - row_start_[row]);
-  }
+  std::span<const std::uint32_t> arcs_of(std::uint32_t row) const { return row_arcs_[row]; }
   std::vector<std::vector<Neighbour>> later_neighbours() const;
   double all_three(std::uint32_t r, std::uint32_t s, std::uint32_t t) const;
   void prepare(const Pattern& pattern);
@@ -84,8 +83,7 @@ class Separator {
   std::vector<double> value_;
   std::vector<std::uint32_t> arc_start_ = {0};
   std::vector<std::uint32_t> arc_rows_;
-  std::vector<std::uint32_t> row_start_;
-  std::vector<std::uint32_t> row_arcs_;
+  core::Lists<std::uint32_t> row_arcs_;
   std::vector<std::uint32_t> slot_of_row_;
 
   // The local search: which row holds which position, and the weights that gives the arcs.

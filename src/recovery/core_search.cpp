@@ -55,13 +55,13 @@ class Cheapest {
 // A core larger than this would no longer be quick to search, nor small beside its component.
 constexpr std::size_t kMostCoreArcs = 300000;
 
-void search_neighbourhoods(const Component& core,
-                           std::span<const double> u,
-                           double work,
-                           double goal,
-                           Packing& packing,
-                           core::Random& random,
-                           const core::Deadline& deadline) {
+void search_pool_of(const Component& core,
+                    std::span<const double> u,
+                    double work,
+                    double goal,
+                    Packing& packing,
+                    core::Random& random,
+                    const core::Deadline& deadline) {
   const bnb::ComponentSlack slack = bnb::slack_of(core, u, kInfinity, deadline);
   if (deadline.reached()) return;
   const double base = std::accumulate(u.begin(), u.end(), 0.0);
@@ -100,7 +100,7 @@ Packing greedy_in_core(const Component& component,
   core::Cutter cutter;
   const Component core = cutter.cut(component, arcs, deadline);
   Packing packing = greedy(core, core.costs, deadline);
-  for (ArcId& a : packing.arcs) a = arcs[a];
+  packing.arcs = core::at_positions(arcs, packing.arcs);
   return packing;
 }
 
@@ -118,19 +118,17 @@ Packing search_core(const Component& component,
   if (deadline.reached()) return start;
   const std::vector<double> core_u = core::restrict_slots(component, u, core);
   Packing packing = start;
-  for (ArcId& a : packing.arcs) {
-    a = static_cast<ArcId>(std::lower_bound(arcs.begin(), arcs.end(), a) - arcs.begin());
-  }
+  packing.arcs = core::positions_in(arcs, start.arcs);
   if (packing.arcs.empty()) packing = dual_greedy(core, core_u, deadline);
   const std::size_t size = std::min(core.num_indices(), core.num_arcs());
   const std::int64_t kicks =
       std::int64_t{options.kicks_per_index} * static_cast<std::int64_t>(size);
   LocalSearch(core, core_u, deadline).improve(packing, kicks, options.goal, random, deadline);
   if (options.neighbourhood_work > 0)
-    search_neighbourhoods(
+    search_pool_of(
         core, core_u, options.neighbourhood_work, options.goal, packing, random, deadline);
   if (packing.cost >= start.cost) return start;
-  for (ArcId& a : packing.arcs) a = arcs[a];
+  packing.arcs = core::at_positions(arcs, packing.arcs);
   return packing;
 }
 

@@ -15,7 +15,7 @@ struct CoreSearchOptions {
   std::size_t arcs_per_index = 20;  ///< size of the core, times the indices of the component
   int kicks_per_index =
       50;  ///< random moves, times the indices (or arcs, if fewer); 0 = descent only
-  double neighbourhood_work = 0;  ///< of neighbourhood search after that
+  double neighbourhood_work = 0;  ///< of search_pool() after that
   double goal = -kInfinity;       ///< a packing this cheap ends the search
 };
 

@@ -44,28 +44,21 @@ NeighbourhoodSearch::NeighbourhoodSearch(const bnb::SlackProblem& problem)
 }
 
 void NeighbourhoodSearch::list_arcs() {
-  start_.assign(problem_.num_indices() + std::size_t{1}, 0);
-  const auto for_each_index = [&](auto&& call) {
+  arcs_ = core::Lists<std::uint32_t>(problem_.num_indices(), [&](auto&& visit) {
     for (std::uint32_t arc = 0; arc < problem_.num_arcs(); ++arc) {
       for (const bnb::RowUse& use : problem_.uses(arc)) {
-        if (state_.is_index(use.row)) call(arc, use.row);
+        if (state_.is_index(use.row)) visit(use.row, arc);
       }
     }
-  };
-  for_each_index([&](std::uint32_t, std::uint32_t index) { ++start_[index + 1]; });
-  for (std::size_t index = 1; index < start_.size(); ++index) start_[index] += start_[index - 1];
-  arcs_.resize(start_.back());
-  std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
-  for_each_index([&](std::uint32_t arc, std::uint32_t index) { arcs_[next[index]++] = arc; });
+  });
   for (std::uint32_t index = 0; index < problem_.num_indices(); ++index) {
-    std::sort(arcs_.begin() + static_cast<std::ptrdiff_t>(start_[index]),
-              arcs_.begin() + static_cast<std::ptrdiff_t>(start_[index + 1]),
-              [&](std::uint32_t a, std::uint32_t b) {
-                const double ra = problem_.reduced(a);
-                const double rb = problem_.reduced(b);
-                return ra != rb ? ra < rb : a < b;
-              });
-    if (!arcs_of(index).empty()) inner_.push_back(index);
+    const std::span<std::uint32_t> arcs = arcs_.list(index);
+    std::sort(arcs.begin(), arcs.end(), [&](std::uint32_t a, std::uint32_t b) {
+      const double ra = problem_.reduced(a);
+      const double rb = problem_.reduced(b);
+      return ra != rb ? ra < rb : a < b;
+    });
+    if (!arcs.empty()) inner_.push_back(index);
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "bnb/slack_search.hpp"
 #include "core/clock.hpp"
+#include "core/lists.hpp"
 #include "core/random.hpp"
 #include "recovery/slack_packing.hpp"
 
@@ -39,9 +40,7 @@ class NeighbourhoodSearch {
     double work = 0;
   };
 
-  std::span<const std::uint32_t> arcs_of(std::uint32_t index) const {
-    return std::span(arcs_).subspan(start_[index], start_[index + 1] - start_[index]);
-  }
+  std::span<const std::uint32_t> arcs_of(std::uint32_t index) const { return arcs_[index]; }
   void list_arcs();
 
   std::uint32_t choose_seed(core::Random& random) const;
@@ -56,8 +55,7 @@ class NeighbourhoodSearch {
   double slack_of_freed() const;
 
   const bnb::SlackProblem& problem_;
-  std::vector<std::size_t> start_;    // [index]
-  std::vector<std::uint32_t> arcs_;   // of indices, by reduced cost
+  core::Lists<std::uint32_t> arcs_;   // of indices, by reduced cost
   std::vector<std::uint32_t> inner_;  // indices with arcs
 
   SlackPacking state_;

@@ -14,23 +14,13 @@ using core::for_each_slot;
 
 SlotArcs::SlotArcs(const Component& component,
                    std::span<const double> costs,
-                   const core::Deadline& deadline)
-    : start_(component.num_slots() + 1, 0) {
-  const std::size_t num_arcs = component.num_arcs();
-  std::vector<ArcId> order(num_arcs);
+                   const core::Deadline& deadline) {
+  std::vector<ArcId> order(component.num_arcs());
   std::iota(order.begin(), order.end(), 0u);
   core::sort_until(deadline, order, [&](ArcId a, ArcId b) {
     return costs[a] != costs[b] ? costs[a] < costs[b] : a < b;
   });
-  for (ArcId a = 0; a < num_arcs; ++a) {
-    for_each_slot(component, a, [&](std::uint32_t slot) { ++start_[slot + 1]; });
-  }
-  std::partial_sum(start_.begin(), start_.end(), start_.begin());
-  arcs_.resize(start_.back());
-  std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
-  for (const ArcId a : order) {
-    for_each_slot(component, a, [&](std::uint32_t slot) { arcs_[next[slot]++] = a; });
-  }
+  arcs_ = core::list_by_slot(component, order);
 }
 
 ArcSlots::ArcSlots(const Component& component) {

@@ -17,13 +17,10 @@ class SlotArcs {
            std::span<const double> costs,
            const core::Deadline& deadline = {});
 
-  std::span<const core::ArcId> operator[](std::uint32_t slot) const {
-    return std::span(arcs_).subspan(start_[slot], start_[slot + 1] - start_[slot]);
-  }
+  std::span<const core::ArcId> operator[](std::uint32_t slot) const { return arcs_[slot]; }
 
  private:
-  std::vector<std::uint32_t> start_;
-  std::vector<core::ArcId> arcs_;
+  core::Lists<core::ArcId> arcs_;
 };
 
 /// For every arc its slots of real indices, side by side in memory.  4 bytes per (arc, real index).

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/component.hpp"
 #include "recovery/neighbourhood_search.hpp"
 #include "recovery/slack_packing.hpp"
 
@@ -87,15 +88,10 @@ class PoolSearch {
 
   // By reduced cost, what the indices cost if left uncovered, and chance.
   Arcs greedy() {
+    if (greedy_key_.empty()) fill_greedy_keys();
     std::vector<std::pair<double, std::uint32_t>> order;
-    for (std::uint32_t arc = 0; arc < problem_.num_arcs(); ++arc) {
-      double price = 0;
-      for (const bnb::RowUse& use : problem_.uses(arc)) {
-        if (state_.is_index(use.row)) price += problem_.price(use.row);
-      }
-      const double noise = random_.uniform(0, kNoise) * gap();
-      order.emplace_back(problem_.reduced(arc) - kPriceShare * price + noise, arc);
-    }
+    for (std::uint32_t arc = 0; arc < problem_.num_arcs(); ++arc)
+      order.emplace_back(greedy_key_[arc] + random_.uniform(0, kNoise) * gap(), arc);
     work_ += static_cast<double>(order.size());
     std::sort(order.begin(), order.end());
     state_.assign({});
@@ -103,6 +99,16 @@ class PoolSearch {
       if (state_.fits(arc)) state_.insert(arc);
     }
     return state_.arcs();
+  }
+
+  void fill_greedy_keys() {
+    for (std::uint32_t arc = 0; arc < problem_.num_arcs(); ++arc) {
+      double price = 0;
+      for (const bnb::RowUse& use : problem_.uses(arc)) {
+        if (state_.is_index(use.row)) price += problem_.price(use.row);
+      }
+      greedy_key_.push_back(problem_.reduced(arc) - kPriceShare * price);
+    }
   }
 
   void merge_pool() {
@@ -127,8 +133,7 @@ class PoolSearch {
     const bnb::SlackResult result = bnb::search_slack(part, best_slack_ * (1 - kBetter), limits);
     work_ += result.work + part.num_rows();
     if (!(result.slack < best_slack_)) return;
-    Arcs merged;
-    for (const std::uint32_t n : result.arcs) merged.push_back(arcs[n]);
+    Arcs merged = core::at_positions(arcs, result.arcs);
     std::sort(merged.begin(), merged.end());
     keep(std::move(merged));
   }
@@ -144,6 +149,7 @@ class PoolSearch {
   double work_ = 0;
   std::size_t next_start_ = 0;
   std::vector<Arcs> pool_;
+  std::vector<double> greedy_key_;  // [arc], without chance
 };
 
 }  // namespace

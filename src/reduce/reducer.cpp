@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/reduced_costs.hpp"
 #include "reduce/cut_indices.hpp"
 #include "reduce/dominated_arcs.hpp"
 #include "reduce/outweighing_arcs.hpp"
@@ -31,8 +32,8 @@ constexpr double kGoodPart = 0.1;
 
 double certificate_of(const Component& component, std::span<const double> u) {
   double certificate = std::accumulate(u.begin(), u.end(), 0.0);
-  for (ArcId a = 0; a < component.num_arcs(); ++a)
-    certificate += std::min(0.0, core::reduced_cost(component, u, a));
+  core::for_each_reduced_cost(
+      component, u, {}, [&](ArcId, double r) { certificate += std::min(0.0, r); });
   return certificate;
 }
 
@@ -94,24 +95,27 @@ bool Reducer::round(Effort effort) {
   return !idle();
 }
 
-void Reducer::reduce(const Component& component, Effort effort) {
-  yield_ = {};
-  pool_.reset(component);
-  for (int n = 0; n < kMostRounds && pool_.num_alive() > 0 && round(effort);) ++n;
-  yield_.left = pool_.num_alive();
-}
-
-std::optional<Settled> Reducer::settle(const Component& component, Effort effort) {
-  yield_ = {};
-  if (effort == Effort::kQuick && !cheapest_outweighs(component)) return std::nullopt;
+void Reducer::run_rounds(const Component& component, Effort effort, bool patient) {
   pool_.reset(component);
   for (int n = 0; n < kMostRounds && pool_.num_alive() > 0; ++n) {
     const std::size_t before = pool_.num_alive();
     if (!round(effort)) break;
     const auto removed = static_cast<double>(before - pool_.num_alive());
-    if (pool_.num_alive() > kFewArcs && removed < kGoodPart * static_cast<double>(before)) break;
+    const bool slow = removed < kGoodPart * static_cast<double>(before);
+    if (!patient && pool_.num_alive() > kFewArcs && slow) break;
   }
   yield_.left = pool_.num_alive();
+}
+
+void Reducer::reduce(const Component& component, Effort effort) {
+  yield_ = {};
+  run_rounds(component, effort, true);
+}
+
+std::optional<Settled> Reducer::settle(const Component& component, Effort effort) {
+  yield_ = {};
+  if (effort == Effort::kQuick && !cheapest_outweighs(component)) return std::nullopt;
+  run_rounds(component, effort, false);
   if (pool_.num_alive() > 0) return std::nullopt;
   Settled settled{pool_.restore(component, {}), {}, 0};
   settled.u.assign(pool_.charges().begin(), pool_.charges().end());

@@ -38,6 +38,7 @@ class Reducer {
   const ArcPool& pool() const { return pool_; }
 
  private:
+  void run_rounds(const core::Component& component, Effort effort, bool patient);
   bool round(Effort effort);
   void apply_quick_rules();
   void apply_thorough_rules();

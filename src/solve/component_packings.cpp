@@ -28,6 +28,7 @@ constexpr double kMostWideWork = 5e8;
 constexpr double kWideGap = 0.02;
 constexpr double kWideRounds = 16;
 constexpr double kDiveShare = 0.15;  // of that work
+
 }  // namespace
 
 double ComponentSolver::first_work() const {
@@ -38,6 +39,10 @@ double ComponentSolver::wide_work() const {
   const auto indices = static_cast<double>(component_.num_indices());
   const auto arcs = static_cast<double>(component_.num_arcs());
   return std::min(kMostWideWork, kWideWorkPerPair * indices * arcs);
+}
+
+bool ComponentSolver::may_search() const {
+  return !state_.complete && options_.search.local_search && !deadline_.reached();
 }
 
 // What branch and cut leaves to the search for packings.
@@ -69,11 +74,9 @@ std::vector<Packing> ComponentSolver::dive(const Component& core,
   const auto done = [&] {
     return cutting::work_of_pivots(point.simplex_iterations() - before, core.num_slots());
   };
-  while (done() < work && options_.search.local_search && !deadline_.reached()) {
+  while (done() < work && may_search()) {
     found.push_back(cutting::dive(core, point, random, deadline_));
-    Packing packing = found.back();
-    for (ArcId& a : packing.arcs) a = live[a];
-    offer(packing, "dive");
+    offer({core::at_positions(live, found.back().arcs), found.back().cost}, "dive");
   }
   std::stable_sort(found.begin(), found.end(), [](const Packing& a, const Packing& b) {
     return a.cost < b.cost;
@@ -87,25 +90,21 @@ void ComponentSolver::search_by_master(const Component& core,
                                        const cutting::Master& point,
                                        const std::vector<Packing>& others,
                                        double work) {
-  if (state_.complete || !options_.search.local_search || deadline_.reached()) return;
-  Packing start{{}, state_.best.cost};
-  for (const ArcId a : state_.best.arcs) {
-    const auto at = std::lower_bound(live.begin(), live.end(), a);
-    if (at != live.end() && *at == a) start.arcs.push_back(static_cast<ArcId>(at - live.begin()));
-  }
+  if (!may_search()) return;
+  const Packing start{core::positions_in(live, state_.best.arcs), state_.best.cost};
   recovery::MasterSearchOptions search;
   search.max_work = work;
   search.least_round_work = others.empty() ? 0.0 : work / kWideRounds;
   search.goal = state_.lower + precision_.error;
   core::Random random(seed_ + static_cast<std::uint64_t>(improvements_));
-  Packing found = recovery::search_by_master(core, point, start, others, search, random, deadline_);
+  const Packing found =
+      recovery::search_by_master(core, point, start, others, search, random, deadline_);
   if (found.cost >= start.cost) return;
-  for (ArcId& a : found.arcs) a = live[a];
-  offer(found, "neighbourhoods");
+  offer({core::at_positions(live, found.arcs), found.cost}, "neighbourhoods");
 }
 
 void ComponentSolver::search(double work) {
-  if (state_.complete || !options_.search.local_search || deadline_.reached()) return;
+  if (!may_search()) return;
   recovery::CoreSearchOptions search;
   search.kicks_per_index = searched_ ? 0 : options_.search.kicks_per_index;
   search.neighbourhood_work = work;

@@ -83,6 +83,7 @@ class ComponentSolver {
   void solve_assignment();
   void enumerate();
   void relax();
+  bool may_search() const;
   double first_work() const;
   double wide_work() const;
   void improve(const core::Component& core,
