@@ -22,6 +22,10 @@ constexpr double kWidenSlowly = 1.5;
 constexpr std::int64_t kFewNodes = 15;
 constexpr double kPrimalShare = 2;  // at first, of the work of pivots: separation is as dear
 constexpr double kLeastPrimalShare = 0.25;
+// Between two calls for better packings within a tree; at least half of all before, so that there
+// are few.
+constexpr double kLeastPauseWork = 1e7;
+constexpr double kPauseShare = 0.5;
 // Rounds of cuts before the first, the second call for better packings, and after that.
 constexpr std::array<int, 3> kRounds = {1, 30, 200};
 
@@ -48,7 +52,7 @@ class Widening {
     if (limits_.max_nodes > 0 && tighten()) {
       double reach = kFirstReach * (cutoff_ - master_.lower());
       while (search(master_.lower() + reach)) {
-        improve();
+        improve(0);
         const bool fast = last_tree_nodes_ < kFewNodes || primal_share_ < kPrimalShare;
         reach *= fast ? kWidenFast : kWidenSlowly;
       }
@@ -85,7 +89,7 @@ class Widening {
     };
     CutLoopEnd end = CutLoopEnd::kStalled;
     for (std::size_t call = 0; call < kRounds.size() && end == CutLoopEnd::kStalled; ++call) {
-      if (call > 0) loop.cutoff = improve();
+      if (call > 0) loop.cutoff = improve(0);
       loop.max_rounds = kRounds[call];
       end = run_cut_loop(component_, master_, loop, round);
     }
@@ -115,6 +119,10 @@ class Widening {
     limits.root_patterns = kAllPatterns;
     limits.deadline = limits_.deadline;
     limits.proof = limits_.proof;
+    limits.pause = [&] {
+      if (is_improvement_due(circle.simplex_iterations())) improve(circle.simplex_iterations());
+      return std::min(cutoff_, target);
+    };
     BranchAndCut tree(
         component_, circle, target, limits, [&](const Master& point, const core::Packing* packing) {
           cutoff_ = observer_.offer(point, packing);
@@ -130,16 +138,28 @@ class Widening {
   }
 
   // Better packings get a share of the time that bounds got; a smaller one when none was found.
-  double improve() {
-    const std::int64_t pivots = master_.simplex_iterations() + circle_pivots_;
-    const double work =
-        primal_share_ * work_of_pivots(pivots - pivots_at_improve_, component_.num_slots());
-    pivots_at_improve_ = pivots;
+  // `running`: pivots of the circle that is being searched.
+  double improve(std::int64_t running) {
+    const double new_work = work_since_improve(running);
+    bound_work_ += new_work;
     const double before = cutoff_;
-    cutoff_ = observer_.improve(master_, work);
+    cutoff_ = observer_.improve(master_, primal_share_ * new_work, bound_work_);
+    pivots_at_improve_ = pivots(running);
     primal_share_ =
         cutoff_ < before ? kPrimalShare : std::max(kLeastPrimalShare, primal_share_ / 2);
     return cutoff_;
+  }
+
+  bool is_improvement_due(std::int64_t running) const {
+    return work_since_improve(running) >= std::max(kLeastPauseWork, kPauseShare * bound_work_);
+  }
+
+  double work_since_improve(std::int64_t running) const {
+    return work_of_pivots(pivots(running) - pivots_at_improve_, component_.num_slots());
+  }
+
+  std::int64_t pivots(std::int64_t running) const {
+    return master_.simplex_iterations() + circle_pivots_ + running;
   }
 
   void raise(double lower) {
@@ -159,6 +179,7 @@ class Widening {
   std::int64_t last_tree_nodes_ = 0;
   std::int64_t circle_pivots_ = 0;  // of all circles
   std::int64_t pivots_at_improve_ = 0;
+  double bound_work_ = 0;  // of pivots up to then
   WideningResult result_;
 };
 

@@ -28,10 +28,11 @@ struct WideningObserver {
   /// cutoff from now on.
   PackingOffer offer;
   /// A chance to look for better packings: when the first linear program and the search by its
-  /// multipliers did not end it, when many rounds of cuts did not, and after every circle.  The
-  /// first point has multipliers of indices only.  `work` (bnb::SlackLimits) is a share of what was
-  /// done since the last call.  Returns the cutoff from now on.
-  std::function<double(Master& point, double work)> improve;
+  /// multipliers did not end it, when many rounds of cuts did not, after every circle, and within
+  /// those that take long.  The first point has multipliers of indices only.  `work`
+  /// (bnb::SlackLimits) is a share of what was done since the last call, `total` what was done for
+  /// the bound in all.  Returns the cutoff from now on.
+  std::function<double(Master& point, double work, double total)> improve;
   /// No packing is cheaper than `lower`.
   std::function<void(double lower)> raise;
 };

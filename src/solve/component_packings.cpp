@@ -26,6 +26,7 @@ constexpr double kFirstWorkPerIndex = 10000;
 constexpr double kWideWorkPerPair = 3000;
 constexpr double kMostWideWork = 5e8;
 constexpr double kWideGap = 0.02;
+constexpr double kHardWork = 2e7;  // for the bound: what it took already may take long
 constexpr double kWideRounds = 16;
 constexpr double kDiveShare = 0.15;  // of that work
 
@@ -49,14 +50,16 @@ bool ComponentSolver::may_search() const {
 void ComponentSolver::improve(const Component& core,
                               std::span<const ArcId> live,
                               cutting::Master& point,
-                              double work) {
+                              double work,
+                              double total) {
   std::vector<Packing> dives;
   if (++improvements_ == 1) {
     adopt_multipliers(core, point.u());
     if (searched_) return;
     search(0);
     work = first_work();
-  } else if (improvements_ == 2 && is_wide()) {
+  } else if (!searched_wide_ && total >= kHardWork && is_wide()) {
+    searched_wide_ = true;
     work = wide_work();
     dives = dive(core, live, point, kDiveShare * work);
   }

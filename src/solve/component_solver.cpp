@@ -208,8 +208,8 @@ void ComponentSolver::branch_and_cut(double allowed_gap) {
     offer(packing, "branch and cut");
     return goal();
   };
-  observer.improve = [&](cutting::Master& point, double work) {
-    improve(core, live, point, work);
+  observer.improve = [&](cutting::Master& point, double work, double total) {
+    improve(core, live, point, work, total);
     return goal();
   };
   observer.raise = [&](double lower) { raise_bound(std::min(lower, goal()), "cuts"); };

@@ -89,7 +89,8 @@ class ComponentSolver {
   void improve(const core::Component& core,
                std::span<const core::ArcId> live,
                cutting::Master& point,
-               double work);
+               double work,
+               double total);
   std::vector<core::Packing> dive(const core::Component& core,
                                   std::span<const core::ArcId> live,
                                   cutting::Master& point,
@@ -127,6 +128,7 @@ class ComponentSolver {
   cutting::ProofLog* const proof_;
   bool enumerated_ = false;
   bool searched_ = false;
+  bool searched_wide_ = false;
   int improvements_ = 0;
   double certify_s_ = 0;  // what making multipliers feasible took
   double dearest_ = 0;    // if any packing covers all required slots, one costs no more

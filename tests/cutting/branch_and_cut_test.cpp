@@ -70,5 +70,34 @@ TEST(BranchAndCut, ACutoffBelowTheOptimumLeavesNothing) {
   }
 }
 
+// A pause that lowers the cutoff below all bounds ends the tree at once, with a bound that holds.
+TEST(BranchAndCut, ObeysTheCutoffOfAPause) {
+  int paused = 0;
+  for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+    const Component component = fractional_component(seed);
+    Master master(component, all_arcs(component), no_multipliers(component));
+    BranchAndCutLimits limits;
+    limits.max_nodes = 1000000;
+    limits.root_rounds = limits.node_rounds = 1;
+    limits.leaf_work = 0;
+    int pauses = 0;
+    limits.pause = [&] {
+      ++pauses;
+      return -1e9;
+    };
+    BranchAndCut tree(component, master, 1e-6, limits, [&](const Master&, const Packing*) {
+      return pauses > 0 ? -1e9 : 1e-6;
+    });
+    const BranchAndCutResult result = tree.run();
+    ASSERT_LE(pauses, 1) << "seed " << seed;
+    if (pauses == 0) continue;  // ended without branching
+    ++paused;
+    ASSERT_TRUE(result.complete) << "seed " << seed;
+    ASSERT_EQ(result.tree_nodes, 1) << "seed " << seed;
+    ASSERT_LE(result.lower, support::best_cost(component) + 1e-6) << "seed " << seed;
+  }
+  EXPECT_GT(paused, 10);
+}
+
 }  // namespace
 }  // namespace nda::cutting

@@ -27,7 +27,7 @@ Outcome search(const Component& component, double cutoff, std::int64_t max_nodes
     if (packing != nullptr && packing->cost < outcome.best.cost) outcome.best = *packing;
     return outcome.best.cost - 1e-7;
   };
-  observer.improve = [&](const Master&, double) { return outcome.best.cost - 1e-7; };
+  observer.improve = [&](const Master&, double, double) { return outcome.best.cost - 1e-7; };
   observer.raise = [&](double lower) {
     EXPECT_GT(lower, outcome.last_bound);
     outcome.last_bound = lower;
