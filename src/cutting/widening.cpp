@@ -26,9 +26,9 @@ constexpr double kLeastPrimalShare = 0.25;
 // are few.
 constexpr double kLeastPauseWork = 1e7;
 constexpr double kPauseShare = 0.5;
-// A search within the slack often ends what has few indices, whatever the gap: it may take longer
-// there, by this work over the number of indices.
-constexpr double kLeafWorkOfOneIndex = 4e8;
+// A search within the slack often ends what has few indices, whatever the gap: the first one may
+// take longer there, by this work over the number of indices.
+constexpr double kFirstLeafWork = 4e8;
 // Rounds of cuts before the first, the second call for better packings, and after that.
 constexpr std::array<int, 3> kRounds = {1, 30, 200};
 
@@ -82,12 +82,10 @@ class Widening {
     };
     LeafLimits leaf_limits;
     leaf_limits.max_nodes = limits_.max_nodes - result_.nodes;
-    leaf_limits.max_work =
-        std::max(leaf_limits.max_work,
-                 kLeafWorkOfOneIndex / static_cast<double>(component_.num_indices()));
     leaf_limits.deadline = limits_.deadline;
     leaf_limits.proof = limits_.proof;
     LeafSearch leaf(component_, leaf_limits, 0, offer);
+    leaf.earn(kFirstLeafWork / static_cast<double>(component_.num_indices()));
     loop.leaf = &leaf;
     const auto round = [&](const Master& point) {
       raise(point.lower());

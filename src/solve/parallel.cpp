@@ -4,6 +4,8 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <atomic>
+
 // The one file that knows oneTBB, compiled without the thread sanitizer (see CMakeLists.txt here):
 // the library itself is not instrumented, so that the half of it that stands in its headers would
 // seem to race with the other half.  Hence it takes a plain function and shares no other code.
@@ -26,13 +28,23 @@ void for_all(std::size_t count,
     for (std::size_t i = 0; i < count; ++i) call(context, i, 0);
     return;
   }
-  tbb::task_arena(num_workers(num_threads)).execute([&] {
-    const auto step = [&](std::size_t i) {
-      const int worker = tbb::this_task_arena::current_thread_index();
-      call(context, i, static_cast<std::size_t>(worker));
-    };
-    tbb::parallel_for(std::size_t{0}, count, std::size_t{1}, step, tbb::simple_partitioner());
-  });
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&](int) {
+    const auto worker = static_cast<std::size_t>(tbb::this_task_arena::current_thread_index());
+    try {
+      for (;;) {
+        const std::size_t i = next.fetch_add(1);
+        if (i >= count) return;
+        call(context, i, worker);
+      }
+    } catch (...) {
+      next.store(count);
+      throw;
+    }
+  };
+  const int workers = num_workers(num_threads);
+  tbb::task_arena(workers).execute(
+      [&] { tbb::parallel_for(0, workers, 1, work, tbb::simple_partitioner()); });
 }
 
 }  // namespace nda::pipeline

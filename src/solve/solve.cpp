@@ -6,6 +6,8 @@
 #include <numeric>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/clock.hpp"
 #include "core/component.hpp"
@@ -110,16 +112,30 @@ class Pipeline {
   }
 
   void work() {
-    for_all_parts([&](std::size_t p, std::size_t) {
-      if (!parts_[p].settled) parts_[p].solver->start();
-    });
+    for_open_parts([](const Part& part) { return static_cast<double>(part.component.num_arcs()); },
+                   [](Part& part) { part.solver->start(); });
     const double gap = allowed_gap();
     const double open = total(&best_cost) - total(&lower_bound);
-    for_all_parts([&](std::size_t p, std::size_t) {
-      if (parts_[p].settled) return;
-      const ComponentState& state = parts_[p].state();
-      const double share = open > 0 ? (state.best.cost - state.lower) / open : 0.0;
-      parts_[p].solver->finish(share > 0 ? gap * share : 0.0);
+    const auto gap_of = [](const Part& part) {
+      return part.state().best.cost - part.state().lower;
+    };
+    for_open_parts(gap_of, [&](Part& part) {
+      const double share = open > 0 ? gap_of(part) / open : 0.0;
+      part.solver->finish(share > 0 ? gap * share : 0.0);
+    });
+  }
+
+  // Those that are not settled: on one thread as they come, on several by falling `size`, so that
+  // no long one is left for the end, when the other threads are done.
+  template <typename Size, typename Work>
+  void for_open_parts(Size&& size, Work&& work) {
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+      if (!parts_[p].settled) order.emplace_back(-size(parts_[p]), p);
+    }
+    if (pipeline::num_workers(options_.num_threads) > 1) std::sort(order.begin(), order.end());
+    pipeline::for_all(order.size(), options_.num_threads, [&](std::size_t i, std::size_t) {
+      work(parts_[order[i].second]);
     });
   }
 
