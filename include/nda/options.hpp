@@ -60,7 +60,8 @@ struct SearchOptions {
 /// Branch and bound.
 struct BranchOptions {
   std::size_t exact_arcs =
-      128;  ///< components of at most so many arcs are enumerated (docs/report.md)
+      128;  ///< components of at most so many arcs are enumerated (docs/report.md), up to
+            ///< twice as many covered by cliques (docs/cuts.md)
   std::int64_t max_nodes = std::numeric_limits<std::int64_t>::max();  ///< per component; >= 0
   int node_evaluations = 60;  ///< of the dual function at a node; >= 1
 };

@@ -59,14 +59,17 @@ enum class ProofRule : std::uint8_t {
   kTogether,  ///< two indices are used by one arc (next step) or by two (the step after that part
               ///< of the tree); the bound is the least of both
   kApart,     ///< the same, the other child first
-  kSearch,    ///< the checker searches for something cheaper than the threshold
+  kSearch,    ///< the checker searches for something cheaper than the threshold, within what the
+              ///< point's bound leaves
+  kCliques,   ///< the checker searches for something cheaper than the threshold, bounded by arcs
+              ///< that exclude each other
 };
 
 /// A step of a proof; which fields count depends on the rule.
 struct ProofStep {
   ProofRule rule = ProofRule::kBound;
-  ProofPoint point;         ///< of kBound, kFix, kSearch
-  double threshold = 0;     ///< of kFix, kSearch: a cost
+  ProofPoint point;         ///< of kBound, kFix, kSearch, kCliques
+  double threshold = 0;     ///< of kFix, kSearch, kCliques: a cost
   std::uint32_t first = 0;  ///< of kTogether, kApart: positions
   std::uint32_t second = 0;
 };

@@ -6,6 +6,7 @@
 
 #include "core/certificate_sum.hpp"
 #include "core/double_double.hpp"
+#include "core/proof_cliques.hpp"
 #include "core/proof_search.hpp"
 
 // A proof is followed step by step: which arcs and which singletons are still allowed is the state,
@@ -70,6 +71,7 @@ class PartProof {
   double value_of(const ProofStep& step) {
     if (step.rule == ProofRule::kBound) return price(step.point);
     if (step.rule == ProofRule::kSearch) return search(step);
+    if (step.rule == ProofRule::kCliques) return cliques(step);
     return branch(step);
   }
 
@@ -99,8 +101,9 @@ class PartProof {
       fault("a cut is over an index out of range");
   }
 
-  // Reduced costs of all allowed arcs into reduced_, and the bound of the point.
-  double price(const ProofPoint& point) {
+  // Reduced costs of all allowed arcs into reduced_, and the bound of the point: of packings
+  // without arcs, or of all.
+  double price(const ProofPoint& point, bool any_arcs = true) {
     take_multipliers(point);
     CertificateSum sum;
     double terms = 6;
@@ -118,7 +121,7 @@ class PartProof {
       if (!allowed(a)) continue;
       sum.enlarge(size_[a]);
       terms += static_cast<double>(arcs_.start[a + 1] - arcs_.start[a]) + 3;
-      if (!reduced_[a].negative()) continue;
+      if (!any_arcs || !reduced_[a].negative()) continue;
       sum.add(a, reduced_[a].high());
       sum.add(a, reduced_[a].low());
     }
@@ -280,6 +283,27 @@ class PartProof {
       if (number[a] != kNowhere)
         task.entries[number[a]].push_back({row, static_cast<std::uint32_t>(coefficient)});
     });
+  }
+
+  // The same for a search that reckons with arcs alone, whatever the point is.
+  double cliques(const ProofStep& step) {
+    if (!std::isfinite(step.threshold)) fault("a search without a finite threshold");
+    const double value = price(step.point, false);
+    CliqueTask task;
+    for (std::uint32_t a = 0; a < arcs_.size(); ++a) {
+      const double gain = allowed(a) ? -with_arc(0.0, a) : 0.0;
+      if (gain <= 0) continue;
+      task.gain.push_back(gain);
+      task.indices.emplace_back();
+      arcs_.for_each_position(a, [&](std::uint32_t p) { task.indices.back().push_back(p); });
+    }
+    const double target = below(value - step.threshold);
+    try {
+      const double most = most_gain(task, target, work_, kMostSearchWork);
+      return most > target ? below(value - most) : step.threshold;
+    } catch (const ProofFault& problem) {
+      fault(problem.text);
+    }
   }
 
   static double below(double value) { return std::nextafter(value, -kInfinity); }

@@ -86,7 +86,8 @@ CutLoopEnd BranchAndCut::tighten(int depth) {
   const PackingOffer offer = [&](const Master& master, const core::Packing* packing) {
     return cutoff_ = offer_(master, packing);
   };
-  LeafSearch leaf(component_, leaf_limits(), depth == 0 ? 0 : master_.simplex_iterations(), offer);
+  const std::int64_t pivots = depth == 0 ? 0 : master_.simplex_iterations();
+  LeafSearch leaf(component_, leaf_limits(), pivots, offer, &clique_pause_);
   if (depth == 0 || !leaf_pause_.skip()) loop.leaf = &leaf;
   const auto round = [&](const Master& master) {
     if (depth == 0) offer(master, nullptr);

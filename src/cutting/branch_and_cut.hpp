@@ -90,6 +90,7 @@ class BranchAndCut {
   std::int64_t tree_nodes_ = 0;
   std::int64_t search_nodes_ = 0;
   core::Pause leaf_pause_{kLongestLeafPause};
+  core::Pause clique_pause_{kLongestLeafPause};
   bool exhaustive_ = true;
 };
 

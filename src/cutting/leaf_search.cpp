@@ -1,8 +1,11 @@
 #include "cutting/leaf_search.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <vector>
 
+#include "bnb/component_gains.hpp"
 #include "bnb/slack_search.hpp"
 #include "cutting/master_slack.hpp"
 
@@ -13,6 +16,25 @@ using core::ArcId;
 
 constexpr double kShrunk = 0.75;
 constexpr double kFirstShare = 0.125;  // of the gap
+
+std::vector<ArcId> allowed(const Master& master) {
+  std::vector<ArcId> arcs;
+  std::ranges::copy_if(
+      master.live(), std::back_inserter(arcs), [&](ArcId a) { return !master.forbidden(a); });
+  return arcs;
+}
+
+// By slot: for those that must be covered, more than covering them can ever cost, as an arc takes
+// the place of one other at most in every dimension.
+std::vector<double> demands(const core::Component& component, const Master& master) {
+  double largest = 0;
+  for (const ArcId a : master.live()) largest = std::max(largest, std::abs(component.costs[a]));
+  std::vector<double> u(component.num_slots(), 0.0);
+  for (std::uint32_t slot = 0; slot < u.size(); ++slot) {
+    if (master.forced(slot)) u[slot] = (component.num_dimensions() + 1) * largest;
+  }
+  return u;
+}
 
 }  // namespace
 
@@ -29,6 +51,15 @@ bool LeafSearch::operator()(const Master& master, double& cutoff) {
              work_of_pivots(master.simplex_iterations() - pivots_, component_.num_slots());
   pivots_ = master.simplex_iterations();
   if (!is_worth_trying(master, cutoff) || limits_.deadline.reached()) return false;
+  if (search_slack(master, cutoff) || cover(master, cutoff)) return true;
+  failed_gap_ = cutoff - master.lower();
+  failed_lower_ = master.lower();
+  failed_work_ = credit_;
+  credit_ = 0;
+  return false;
+}
+
+bool LeafSearch::search_slack(const Master& master, double& cutoff) {
   const MasterSlack slack(component_, master);
   const double gap = cutoff - slack.base();
   bnb::SlackLimits limits;
@@ -42,22 +73,43 @@ bool LeafSearch::operator()(const Master& master, double& cutoff) {
     const bnb::SlackResult result = bnb::search_slack(slack.problem(arcs), budget, limits);
     nodes_ += result.nodes;
     work += result.work;
-    if (result.slack < kInfinity) {
-      const core::Packing packing =
-          core::make_packing(component_, core::at_positions(arcs, result.arcs));
-      if (packing.cost < cutoff) cutoff = offer_(master, &packing);
-    }
-    if (!result.complete) break;
+    if (result.slack < kInfinity) lower(master, core::at_positions(arcs, result.arcs), cutoff);
+    failed_budget_ = budget;
+    if (!result.complete) return false;
     if (!(result.slack < budget) && budget < gap) continue;
     if (limits_.proof != nullptr) limits_.proof->search(master, slack.u(), cutoff);
     return true;
   }
-  failed_gap_ = gap;
-  failed_budget_ = budget;
-  failed_lower_ = master.lower();
-  failed_work_ = credit_;
-  credit_ = 0;
-  return false;
+}
+
+// Offers a packing, if it is cheaper than the cutoff.
+void LeafSearch::lower(const Master& master, std::vector<ArcId> arcs, double& cutoff) const {
+  const core::Packing packing = core::make_packing(component_, std::move(arcs));
+  if (packing.cost < cutoff) cutoff = offer_(master, &packing);
+}
+
+bool LeafSearch::cover(const Master& master, double& cutoff) {
+  if (master.live().size() > bnb::kMostCliqueArcs) return false;
+  if (clique_pause_ == nullptr) return search_cliques(master, cutoff);
+  if (clique_pause_->skip()) return false;
+  const bool ended = search_cliques(master, cutoff);
+  clique_pause_->note(ended);
+  return ended;
+}
+
+bool LeafSearch::search_cliques(const Master& master, double& cutoff) {
+  const std::vector<double> u = demands(component_, master);
+  const bnb::ComponentGains gains = bnb::gains_over(component_, allowed(master), u);
+  bnb::CliqueLimits limits;
+  limits.deadline = limits_.deadline;
+  limits.max_work = credit_;
+  limits.max_nodes = limits_.max_nodes - nodes_;
+  const bnb::CliqueResult result = bnb::search_cliques(gains.problem, gains.base - cutoff, limits);
+  nodes_ += result.nodes;
+  if (!result.arcs.empty()) lower(master, core::at_positions(gains.arcs, result.arcs), cutoff);
+  if (!result.complete || gains.base - result.most < cutoff) return false;
+  if (limits_.proof != nullptr) limits_.proof->cliques(u, cutoff);
+  return true;
 }
 
 }  // namespace nda::cutting

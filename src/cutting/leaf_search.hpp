@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "core/clock.hpp"
 #include "core/component.hpp"
+#include "core/pause.hpp"
 #include "cutting/master.hpp"
 #include "cutting/proof_log.hpp"
 
@@ -29,24 +31,36 @@ struct LeafLimits {
   ProofLog* proof = nullptr;  ///< where to write searches down
 };
 
-/// Ends a node of branch and cut by enumeration (bnb/slack_search.hpp) once its multipliers are
-/// good enough: what LP and cuts would take seconds to close, a search within the reduced costs
-/// they found often ends in milliseconds.  It needs no good packing to begin with: the budget is
-/// doubled until the best packing is within.  Tries again when a good part of what failed is gone,
-/// or when what it may do, which adds up over calls, pivots and separation, has doubled.
+/// Ends a node of branch and cut by enumeration, in one of two ways.  Once its multipliers are good
+/// enough, a search within the reduced costs they found (bnb/slack_search.hpp) often ends in
+/// milliseconds what LP and cuts would take seconds to close.  It needs no good packing to begin
+/// with: the budget is doubled until the best packing is within.  Where multipliers stay bad,
+/// covers by cliques (bnb/clique_search.hpp) may do, if arcs are few.  Tries again when a good part
+/// of what failed is gone, or when what it may do, which adds up over calls, pivots and separation,
+/// has doubled.
 class LeafSearch {
  public:
-  /// @param pivots  of the master before the node.
+  /// @param pivots        of the master before the node.
+  /// @param clique_pause  of the tree's searches by cliques, which seldom end nodes where they did
+  ///                      not end others; null = none pauses.
   LeafSearch(const core::Component& component,
              const LeafLimits& limits,
              std::int64_t pivots,
-             const PackingOffer& offer)
-      : component_(component), limits_(limits), offer_(offer), pivots_(pivots) {}
+             const PackingOffer& offer,
+             core::Pause* clique_pause = nullptr)
+      : component_(component),
+        limits_(limits),
+        offer_(offer),
+        pivots_(pivots),
+        clique_pause_(clique_pause) {}
 
   /// Searches the allowed arcs of a solved `master` for packings cheaper than `cutoff`, offers the
   /// best one, and lowers the cutoff accordingly.  Returns whether there is none below the cutoff
   /// any more; false also where the search took too long.
   bool operator()(const Master& master, double& cutoff);
+
+  /// The same by cliques alone, whenever it is called.
+  bool cover(const Master& master, double& cutoff);
 
   /// Other work that was done on the node: the next search may take as long.
   void earn(double work) { credit_ += work; }
@@ -55,12 +69,16 @@ class LeafSearch {
 
  private:
   bool is_worth_trying(const Master& master, double cutoff) const;
+  bool search_slack(const Master& master, double& cutoff);
+  bool search_cliques(const Master& master, double& cutoff);
+  void lower(const Master& master, std::vector<core::ArcId> arcs, double& cutoff) const;
 
   const core::Component& component_;
   const LeafLimits limits_;
   const PackingOffer& offer_;
   std::int64_t pivots_;  // of the master so far
-  double credit_ = 0;    // work that a search may do
+  core::Pause* const clique_pause_;
+  double credit_ = 0;  // work that a search may do
   double failed_work_ = kInfinity;
   double failed_gap_ = kInfinity;
   double failed_budget_ = kInfinity;

@@ -90,6 +90,10 @@ void ProofLog::search(const Master& master, std::span<const double> u, double th
   part_.steps.push_back({ProofRule::kSearch, point(master, u), unshifted(threshold), 0, 0});
 }
 
+void ProofLog::cliques(std::span<const double> u, double threshold) {
+  part_.steps.push_back({ProofRule::kCliques, point(u), unshifted(threshold), 0, 0});
+}
+
 void ProofLog::branch(std::uint32_t first, std::uint32_t second, bool together_first) {
   part_.steps.push_back({together_first ? ProofRule::kTogether : ProofRule::kApart,
                          {},

@@ -6,6 +6,7 @@
 
 #include "cutting/branch_and_cut.hpp"
 #include "cutting/cut_loop.hpp"
+#include "cutting/leaf_search.hpp"
 
 // A tree grows exponentially with the distance between its root's bound and its cutoff, so a cutoff
 // that is too high costs more than all circles before it: what iterative deepening is to games
@@ -56,14 +57,18 @@ class Widening {
       double reach = kFirstReach * (cutoff_ - master_.lower());
       while (search(master_.lower() + reach)) {
         improve(0);
+        if (cover()) break;
         const bool fast = last_tree_nodes_ < kFewNodes || primal_share_ < kPrimalShare;
         reach *= fast ? kWidenFast : kWidenSlowly;
       }
     }
     result_.complete = result_.lower >= cutoff_;
-    if (limits_.proof != nullptr && !exhaustive_) {
+    if (limits_.proof != nullptr && (covered_ || !exhaustive_)) {
       limits_.proof->cut_back(proof_size_);
-      limits_.proof->bound(master_);
+      if (covered_)
+        limits_.proof->cliques(std::vector<double>(component_.num_slots(), 0.0), cutoff_);
+      else
+        limits_.proof->bound(master_);
     }
     return result_;
   }
@@ -77,19 +82,16 @@ class Widening {
     loop.thorough = true;
     loop.deadline = limits_.deadline;
     loop.proof = limits_.proof;
-    const PackingOffer offer = [&](const Master& master, const core::Packing* packing) {
-      return cutoff_ = observer_.offer(master, packing);
-    };
     LeafLimits leaf_limits;
     leaf_limits.max_nodes = limits_.max_nodes - result_.nodes;
     leaf_limits.deadline = limits_.deadline;
     leaf_limits.proof = limits_.proof;
-    LeafSearch leaf(component_, leaf_limits, 0, offer);
+    LeafSearch leaf(component_, leaf_limits, 0, offer_);
     leaf.earn(kFirstLeafWork / static_cast<double>(component_.num_indices()));
     loop.leaf = &leaf;
     const auto round = [&](const Master& point) {
       raise(point.lower());
-      return offer(point, nullptr);
+      return offer_(point, nullptr);
     };
     CutLoopEnd end = CutLoopEnd::kStalled;
     for (std::size_t call = 0; call < kRounds.size() && end == CutLoopEnd::kStalled; ++call) {
@@ -124,7 +126,10 @@ class Widening {
     limits.deadline = limits_.deadline;
     limits.proof = limits_.proof;
     limits.pause = [&] {
-      if (is_improvement_due(circle.simplex_iterations())) improve(circle.simplex_iterations());
+      if (is_improvement_due(circle.simplex_iterations())) {
+        improve(circle.simplex_iterations());
+        if (cover()) return -kInfinity;
+      }
       return std::min(cutoff_, target);
     };
     BranchAndCut tree(
@@ -139,6 +144,20 @@ class Widening {
     exhaustive_ = found.exhaustive && target >= cutoff_;
     raise(std::min({found.lower, target, cutoff_}));
     return found.complete && result_.lower < cutoff_;
+  }
+
+  // All packings by cliques, which may take as long as bounds took; returns whether that was
+  // enough.
+  bool cover() {
+    LeafLimits limits;
+    limits.max_nodes = limits_.max_nodes - result_.nodes;
+    limits.deadline = limits_.deadline;
+    LeafSearch leaf(component_, limits, 0, offer_);
+    leaf.earn(bound_work_);
+    covered_ = leaf.cover(master_, cutoff_);
+    result_.nodes += leaf.nodes();
+    if (covered_) raise(cutoff_);
+    return covered_;
   }
 
   // Better packings get a share of the time that bounds got; a smaller one when none was found.
@@ -176,9 +195,13 @@ class Widening {
   const WideningLimits& limits_;
   const WideningObserver& observer_;
   double cutoff_;
+  const PackingOffer offer_ = [this](const Master& master, const core::Packing* packing) {
+    return cutoff_ = observer_.offer(master, packing);
+  };
   Master master_;
   std::size_t proof_size_;   // before the circles
   bool exhaustive_ = false;  // the last circle holds all, and its tree was searched to the end
+  bool covered_ = false;     // cover() was enough
   double primal_share_ = kPrimalShare;
   std::int64_t last_tree_nodes_ = 0;
   std::int64_t circle_pivots_ = 0;  // of all circles

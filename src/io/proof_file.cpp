@@ -12,7 +12,8 @@
 //
 //     p nda-proof N M1..MN A GRID PARTS
 //     part INDICES STEPS  then for each index: dimension index
-//     bound POINT | fix THRESHOLD POINT | search THRESHOLD POINT | together P P | apart P P
+//     bound POINT | fix THRESHOLD POINT | search THRESHOLD POINT
+//     cliques THRESHOLD POINT | together P P | apart P P
 //     POINT = CHANGES (position value)...  CUTS (multiplier divisor SIZE (position weight)...)...
 //     end DIGEST
 //
@@ -25,12 +26,13 @@ namespace {
 constexpr std::pair<ProofRule, std::string_view> kRules[] = {{ProofRule::kBound, "bound"},
                                                              {ProofRule::kFix, "fix"},
                                                              {ProofRule::kSearch, "search"},
+                                                             {ProofRule::kCliques, "cliques"},
                                                              {ProofRule::kTogether, "together"},
                                                              {ProofRule::kApart, "apart"}};
 constexpr int kNumbersPerLine = 40;
 
 bool has_threshold(ProofRule rule) {
-  return rule == ProofRule::kFix || rule == ProofRule::kSearch;
+  return rule == ProofRule::kFix || rule == ProofRule::kSearch || rule == ProofRule::kCliques;
 }
 
 bool is_branching(ProofRule rule) {

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "bnb/branch_and_bound.hpp"
+#include "bnb/component_gains.hpp"
 #include "bnb/enumerate.hpp"
 #include "core/random.hpp"
 #include "core/reduced_costs.hpp"
@@ -32,6 +33,11 @@ using core::Packing;
 constexpr std::int64_t kEnumerationNodes = 200000;
 // Better multipliers, those of a linear program, end what takes longer sooner.
 constexpr std::int64_t kNodesBeforeRelaxation = 100;
+// As long as a linear program would take.
+constexpr std::size_t kCliqueArcsPerExactArc = 2;
+constexpr double kEarlyCliqueWork = 1e5;
+// Where covers by cliques were needed, multipliers will not close the gap.
+constexpr int kEvaluationsAfterCliques = 10;
 constexpr int kFeasibleSweeps = 3;
 // Above this the linear program would be too large to be of use, and memory runs out.
 constexpr std::size_t kMostCuttingArcs = 2000000;
@@ -141,6 +147,8 @@ void ComponentSolver::start() {
   offer(recovery::greedy_in_core(
             component_, state_.u, recovery::CoreSearchOptions{}.arcs_per_index, deadline_),
         "greedy");
+  if (options_.branch.max_nodes > 0) search_cliques();
+  if (state_.complete) return;
   relax();
   if (is_large()) search(first_work());
 }
@@ -228,7 +236,10 @@ void ComponentSolver::adopt_multipliers(const Component& core, std::span<const d
 // that the checker can do again.
 void ComponentSolver::finish_proof() {
   if (proof_->size() > 0) return;
-  if (enumerated_ && state_.certificate < cutoff()) return proof_->search(state_.u, cutoff());
+  if (state_.certificate >= cutoff()) return proof_->bound(state_.u);
+  if (enumerated_) return proof_->search(state_.u, cutoff());
+  if (searched_cliques_)
+    return proof_->cliques(std::vector<double>(component_.num_slots(), 0.0), cutoff());
   proof_->bound(state_.u);
 }
 
@@ -273,13 +284,42 @@ void ComponentSolver::enumerate() {
   if (result.found) offer(result.best, "enumeration");
   if (!result.complete) return;
   enumerated_ = true;
-  // The multipliers should prove as much as they can by themselves.
+  settle_best(u, options_.branch.node_evaluations, "enumeration");
+}
+
+// Covers by cliques end some small components that multipliers do not.
+void ComponentSolver::search_cliques() {
+  if (component_.num_arcs() > kCliqueArcsPerExactArc * options_.branch.exact_arcs) return;
+  state_.method = "clique search";
+  std::vector<ArcId> all(component_.num_arcs());
+  std::iota(all.begin(), all.end(), 0u);
+  const std::vector<double> u(component_.num_slots(), 0.0);
+  const bnb::ComponentGains gains = bnb::gains_over(component_, all, u);
+  bnb::CliqueLimits limits;
+  limits.max_nodes = options_.branch.max_nodes - state_.nodes;
+  limits.max_work = kEarlyCliqueWork;
+  limits.deadline = deadline_;
+  const bnb::CliqueResult result = bnb::search_cliques(gains.problem, -cutoff(), limits);
+  state_.nodes += result.nodes;
+  if (!result.arcs.empty()) {
+    std::vector<ArcId> arcs = core::at_positions(gains.arcs, result.arcs);
+    offer(core::make_packing(component_, std::move(arcs)), "clique search");
+  }
+  if (!result.complete) return;
+  searched_cliques_ = true;
+  settle_best(state_.u, kEvaluationsAfterCliques, "clique search");
+}
+
+// There is nothing better than the best.  The multipliers should prove as much of that as they can
+// by themselves.
+void ComponentSolver::settle_best(std::span<const double> u,
+                                  int max_evaluations,
+                                  const char* event) {
   relax::LagrangianOptions loop = loop_options(component_);
-  loop.max_evaluations = options_.branch.node_evaluations;
+  loop.max_evaluations = std::min(max_evaluations, options_.branch.node_evaluations);
   loop.goal = state_.best.cost - precision_.error;
-  relax::LagrangianResult dual = relax::maximize_dual(component_, u, loop, {});
-  accept_dual(std::move(dual), "enumeration");
-  raise_bound(state_.best.cost - precision_.error, "enumeration");
+  accept_dual(relax::maximize_dual(component_, u, loop, {}), event);
+  raise_bound(state_.best.cost - precision_.error, event);
 }
 
 void ComponentSolver::relax() {

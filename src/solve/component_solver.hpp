@@ -82,6 +82,8 @@ class ComponentSolver {
   relax::LagrangianOptions loop_options(const core::Component& component) const;
   void solve_assignment();
   void enumerate();
+  void search_cliques();
+  void settle_best(std::span<const double> u, int max_evaluations, const char* event);
   void relax();
   bool may_search() const;
   double first_work() const;
@@ -127,6 +129,7 @@ class ComponentSolver {
   const std::uint64_t seed_;
   cutting::ProofLog* const proof_;
   bool enumerated_ = false;
+  bool searched_cliques_ = false;  // to the end
   bool searched_ = false;
   bool searched_wide_ = false;
   int improvements_ = 0;

@@ -31,6 +31,10 @@ ProofStep search(double u, double threshold) {
   return {ProofRule::kSearch, {{{0, u}, {1, u}, {2, u}}, {}}, threshold, 0, 0};
 }
 
+ProofStep cliques(double u, double threshold) {
+  return {ProofRule::kCliques, {{{0, u}, {1, u}, {2, u}}, {}}, threshold, 0, 0};
+}
+
 ProofReport report(const Proof& proof) {
   return check_proof(support::odd_cycle().problem, proof);
 }
@@ -59,6 +63,22 @@ TEST(CheckProof, SearchesBelowAThreshold) {
   expect_bound(frame({search(-0.5, -1)}), -1);
   expect_bound(frame({search(-0.5, -1.25)}), -1.25);
   expect_bound(frame({search(-0.5, 0)}), -1);
+}
+
+TEST(CheckProof, CoversByCliques) {
+  expect_bound(frame({cliques(0, -1)}), -1);
+  expect_bound(frame({cliques(0, -1.25)}), -1.25);
+  expect_bound(frame({cliques(0, 0)}), -1);
+  expect_bound(frame({cliques(-0.5, 0)}), -1.5);    // no arc gains anything over these
+  expect_bound(frame({cliques(1, 0)}), 3 - 3 - 3);  // arcs gain 3, singletons 1 each
+}
+
+// One arc uses both of the first two indices, or none does; where one must, covering them is worth
+// more than any arc costs.
+TEST(CheckProof, CoversByCliquesBelowBranchings) {
+  const ProofStep apart{ProofRule::kApart, {}, 0, 0, 1};
+  const ProofStep demand{ProofRule::kCliques, {{{0, 4}, {1, 0}, {2, 0}}, {}}, 0, 0, 0};
+  expect_bound(frame({apart, cliques(0, 0), demand}), -1);
 }
 
 TEST(CheckProof, TakesTheWorseChild) {
@@ -144,6 +164,9 @@ TEST(CheckProof, NamesTheFault) {
          point(p).cuts[0].divisor = 1;
        }},
       {"without a finite threshold", [](Proof& p) { p.parts[0].steps = {search(0, kInfinity)}; }},
+      {"without a finite threshold", [](Proof& p) { p.parts[0].steps = {cliques(0, kInfinity)}; }},
+      {"gains of the search are too large",
+       [](Proof& p) { p.parts[0].steps = {cliques(1.7e308, 0)}; }},
   };
   for (const Spoiled& spoiled : all) {
     Proof proof = frame({bound(0, {{{0, 1, 2}, {1, 1, 1}, 2, -1}})});
@@ -246,13 +269,14 @@ class RandomProof {
       steps.push_back({ProofRule::kFix, point(true), 3 * number(), 0, 0});
     if (depth < 4 && num_ > 1 && random_.below(2) == 0) {
       const std::uint32_t first = position();
-      const std::uint32_t second = (first + 1 + position() % (num_ - 1)) % num_;
+      const auto second = static_cast<std::uint32_t>((first + 1 + position() % (num_ - 1)) % num_);
       const ProofRule rule = random_.below(2) == 0 ? ProofRule::kTogether : ProofRule::kApart;
-      steps.push_back({rule, {}, 0, first, static_cast<std::uint32_t>(second)});
+      steps.push_back({rule, {}, 0, first, second});
       grow(steps, depth + 1);
       grow(steps, depth + 1);
-    } else if (random_.below(2) == 0) {
-      steps.push_back({ProofRule::kSearch, point(true), 3 * number(), 0, 0});
+    } else if (const std::uint64_t kind = random_.below(3); kind > 0) {
+      const ProofRule rule = kind == 1 ? ProofRule::kSearch : ProofRule::kCliques;
+      steps.push_back({rule, point(true), 3 * number(), 0, 0});
     } else {
       steps.push_back({ProofRule::kBound, point(true), 0, 0, 0});
     }

@@ -80,6 +80,44 @@ TEST(Proof, ShowsWhatCutsAndBranchingProve) {
   EXPECT_GT(num_trees, 50);
 }
 
+// Many indices an arc, few arcs: linear programs are far off, cliques are not.
+Problem dense_problem(std::uint64_t seed) {
+  support::RandomProblemOptions shape;
+  shape.sizes.assign(20, 20);
+  shape.num_arcs = 200;
+  shape.dummy_share = 0.7;
+  shape.costs = seed % 2 == 0 ? support::CostKind::kInteger : support::CostKind::kDecimal;
+  shape.singletons = support::SingletonKind::kFree;
+  return support::random_problem(seed, shape);
+}
+
+bool has_cliques(const Proof& proof) {
+  return std::ranges::any_of(proof.parts, [](const ProofPart& part) {
+    return std::ranges::any_of(
+        part.steps, [](const ProofStep& step) { return step.rule == ProofRule::kCliques; });
+  });
+}
+
+TEST(Proof, ShowsWhatCliquesProve) {
+  for (const std::size_t exact_arcs :
+       {std::size_t{128}, std::size_t{0}}) {  // at once, or in leaves
+    int num_proofs = 0;
+    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+      SCOPED_TRACE(seed);
+      const Problem problem = dense_problem(seed);
+      Options options = plain();
+      options.branch.exact_arcs = exact_arcs;
+      const Solution solution = solve(problem, options);
+      ASSERT_TRUE(solution.proven);
+      const CheckReport report = check(problem, solution, *solution.proof);
+      ASSERT_TRUE(report.passed()) << report.faults.front();
+      EXPECT_TRUE(report.bound_right);
+      num_proofs += has_cliques(*solution.proof);
+    }
+    EXPECT_GT(num_proofs, 3) << exact_arcs;
+  }
+}
+
 TEST(Proof, ShowsWhatIsKnownWhenALimitStrikes) {
   Options options = branching();
   options.branch.max_nodes = 2;
