@@ -45,8 +45,9 @@ struct RelaxationOptions {
   /// follows (Method::kAuto).
   int max_evaluations = 300;
   int recovery_evaluations = 20;  ///< of each lower-dimensional recovery problem; >= 1
-  int recovery_interval = 10;     ///< recover at every so many evaluations, at every one in three
-                                  ///< dimensions, and at the best; >= 1
+  /// Recover at every so many evaluations, at every one in three dimensions, and at the best; >= 1.
+  /// Method::kAuto: at the best only where a linear program follows, else at every 100 or more.
+  int recovery_interval = 10;
   double relative_tolerance = 1e-7;  ///< stop when the predicted increase falls below; >= 0
 };
 

@@ -42,8 +42,9 @@ class Loop {
       function_.multipliers(best_multipliers_);
       recovered_at_best_ = false;
     }
-    if (options_.recovery_interval > 0 &&
-        (result_.evaluations - 1) % options_.recovery_interval == 0) {
+    const int since_first = result_.evaluations - options_.first_recovery;
+    if (options_.recovery_interval > 0 && since_first >= 0 &&
+        since_first % options_.recovery_interval == 0) {
       recover();
       recovered_at_best_ = recovered_at_best_ || iterate.value == best_value_;
     }
@@ -53,7 +54,8 @@ class Loop {
 
   void recover_at_best() {
     if (!recover_ || recovered_at_best_ || best_point_.empty()) return;
-    if (result_.recoveries > 0 && (best_value_ >= goal() || !has_time())) return;
+    if (result_.recoveries > 0 && best_value_ >= goal()) return;
+    if ((result_.recoveries > 0 || !options_.always_recover) && !has_time()) return;
     std::vector<double> subgradient(best_point_.size());
     function_.evaluate(best_point_, subgradient);
     recover();

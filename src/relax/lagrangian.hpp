@@ -20,8 +20,11 @@ struct LagrangianOptions {
   int max_evaluations = 100;
   int bundle_size = 40;  ///< subgradients that the bundle keeps
   double relative_tolerance = 1e-7;
-  int recovery_interval =
-      1;  ///< recover at evaluations 1, 1 + interval, ... (0 = at none), and at the best point
+  /// Recover at evaluations first, first + interval, ... (interval 0: at none), and at the best
+  /// point.
+  int recovery_interval = 1;
+  int first_recovery = 1;
+  bool always_recover = true;  ///< once, however little time is left
   double goal = kInfinity;  ///< stop once the bound reaches it: nothing cheaper is wanted
   bool certify = true;      ///< make the multipliers feasible at the end: without it lower is -inf
   core::Deadline deadline;

@@ -44,6 +44,8 @@ constexpr std::size_t kMostCuttingArcs = 2000000;
 // What more evaluations and recoveries would find, a linear program and a search by its multipliers
 // find sooner.
 constexpr int kEvaluationsBeforeLp = 50;
+// A recovery takes as long as dozens of evaluations of many arcs in one component.
+constexpr int kLargeInterval = 100;
 // A rounded point is worth descending from when it misses the best by at most this share of the
 // gap.
 constexpr double kPromising = 0.25;
@@ -328,9 +330,15 @@ void ComponentSolver::relax() {
   loop.max_evaluations = options_.relaxation.max_evaluations;
   loop.recovery_interval =
       component_.num_dimensions() == 3 ? 1 : options_.relaxation.recovery_interval;
-  if (options_.method == Method::kAuto && component_.num_arcs() <= kMostCuttingArcs) {
-    loop.max_evaluations = std::min(loop.max_evaluations, kEvaluationsBeforeLp);
-    loop.recovery_interval = kEvaluationsBeforeLp;
+  if (options_.method == Method::kAuto) {
+    loop.always_recover = false;  // there is a greedy packing
+    if (component_.num_arcs() <= kMostCuttingArcs) {
+      loop.max_evaluations = std::min(loop.max_evaluations, kEvaluationsBeforeLp);
+      loop.recovery_interval = 0;
+    } else {
+      loop.first_recovery = loop.recovery_interval =
+          std::max(loop.recovery_interval, kLargeInterval);
+    }
   }
   loop.goal = cutoff();
   const auto recovery = recovery::make_recovery(options_.relaxation.recovery,
