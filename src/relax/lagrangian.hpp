@@ -25,8 +25,8 @@ struct LagrangianOptions {
   int recovery_interval = 1;
   int first_recovery = 1;
   bool always_recover = true;  ///< once, however little time is left
-  double goal = kInfinity;  ///< stop once the bound reaches it: nothing cheaper is wanted
-  bool certify = true;      ///< make the multipliers feasible at the end: without it lower is -inf
+  double goal = kInfinity;     ///< stop once the bound reaches it: nothing cheaper is wanted
+  bool certify = true;  ///< make the multipliers feasible at the end: without it lower is -inf
   core::Deadline deadline;
   double certify_s = 0;  ///< what is kept of the time until the deadline for that end
 };
