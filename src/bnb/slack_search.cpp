@@ -34,6 +34,8 @@ constexpr double kStep = 0x1p-30;  // of the budget: a smaller ascent is not wor
 constexpr double kWorkBetweenLooks = 1 << 17;
 constexpr double kUseWidth = 1.5;
 constexpr int kLongestPause = 3;
+constexpr std::size_t kUsesOfArc = 8;  // about
+constexpr std::uint32_t kMarks = 64;   // bits of a set of indices
 
 class SlackSearch {
  public:
@@ -41,13 +43,12 @@ class SlackSearch {
       : problem_(problem),
         limits_(limits),
         least_step_(budget < kInfinity ? kStep * budget : 0),
-        count_(problem.num_rows(), 0),
-        least_(problem.num_rows(), 0),
-        sum_(problem.num_rows(), 0),
+        open_uses_(problem.num_rows()),
         place_(problem.num_rows(), kNone),
         position_(problem.num_arcs(), 0),
         parts_(problem) {
     list_arcs_of_rows();
+    mark_indices_of_arcs();
   }
 
   SlackResult run(double budget) {
@@ -92,6 +93,15 @@ class SlackSearch {
     });
   }
 
+  void mark_indices_of_arcs() {
+    indices_.assign(problem_.num_arcs(), 0);
+    for (std::uint32_t a = 0; a < problem_.num_arcs(); ++a) {
+      for (const RowUse use : problem_.uses(a)) {
+        if (use.row < problem_.num_indices()) indices_[a] |= std::uint64_t{1} << use.row % kMarks;
+      }
+    }
+  }
+
   bool is_stopped() {
     if (nodes_ >= limits_.max_nodes || work_ > limits_.max_work) return stopped_ = true;
     ++nodes_;
@@ -130,7 +140,7 @@ class SlackSearch {
     if (here.rows.empty()) return false;
     const OpenRow row = narrowest(here, budget - spent);
     if (num_uses(row, budget - spent) != 1) return false;
-    if (count_[row.row] == 0) {
+    if (open_uses_[row.row].count == 0) {
       spent += row.left * row.price;
       leave(here, row.row, here);
       return true;
@@ -139,7 +149,7 @@ class SlackSearch {
     const OpenArc only = here.choices.front();
     spent += only.reduced;
     here.forced.push_back(only.arc);
-    take(here, only.arc, here);
+    take(here, only.arc, budget - spent, here);
     return true;
   }
 
@@ -151,10 +161,10 @@ class SlackSearch {
       count(here, budget - spent);
       again = false;
       for (OpenRow& row : here.rows) {
-        if (count_[row.row] >= row.left) continue;
-        spent += (row.left - count_[row.row]) * row.price;
+        if (open_uses_[row.row].count >= row.left) continue;
+        spent += (row.left - open_uses_[row.row].count) * row.price;
         if (!(spent < budget)) return false;
-        row.left = count_[row.row];
+        row.left = open_uses_[row.row].count;
         again = true;
       }
       std::erase_if(here.rows, [](const OpenRow& row) { return row.left == 0; });
@@ -164,9 +174,7 @@ class SlackSearch {
 
   void count(Node& here, double left) {
     for (const OpenRow& row : here.rows) {
-      count_[row.row] = 0;
-      least_[row.row] = kInfinity;
-      sum_[row.row] = 0;
+      open_uses_[row.row] = {};
     }
     const std::size_t before = here.arcs.size();
     std::erase_if(here.arcs, [&](const OpenArc& arc) { return !(arc.reduced < left); });
@@ -177,9 +185,10 @@ class SlackSearch {
       work += problem_.uses(arc.arc).size();
       position_[arc.arc] = i;
       for (const RowUse use : problem_.uses(arc.arc)) {
-        count_[use.row] += use.coefficient;
-        least_[use.row] = std::min(least_[use.row], arc.reduced);
-        sum_[use.row] += arc.reduced;
+        OpenUses& uses = open_uses_[use.row];
+        uses.count += use.coefficient;
+        uses.least = std::min(uses.least, arc.reduced);
+        uses.sum += arc.reduced;
       }
     }
     work_ += static_cast<double>(work);
@@ -187,7 +196,7 @@ class SlackSearch {
 
   // Lowers prices and reduced costs by what every use of a row costs.
   bool ascend(Node& here, double& spent, double budget) {
-    const auto pays = [&](const OpenRow& row) { return least_[row.row] > least_step_; };
+    const auto pays = [&](const OpenRow& row) { return open_uses_[row.row].least > least_step_; };
     if (std::none_of(here.rows.begin(), here.rows.end(), pays)) return true;
     for (OpenRow& row : here.rows) {
       if (!pays(row)) continue;
@@ -212,10 +221,22 @@ class SlackSearch {
     return least;
   }
 
-  // The open arcs of a row, as long as none was dropped since they were counted.
+  // The open arcs of a row, ascending, as long as none was dropped since they were counted: by way
+  // of all its arcs, or of all open ones, whichever are fewer.
   template <typename Visit>
   void for_each_open(Node& here, std::uint32_t row, Visit&& visit) {
-    for (const ArcUse& use : row_arcs_[row]) {
+    const bool is_index = row < problem_.num_indices();
+    const std::span<const ArcUse> of_row = row_arcs_[row];
+    if (here.arcs.size() * (is_index ? 1 : kUsesOfArc) < of_row.size()) {
+      const std::uint64_t mark = is_index ? std::uint64_t{1} << row % kMarks : 0;
+      for (OpenArc& arc : here.arcs) {
+        if ((indices_[arc.arc] & mark) != mark) continue;
+        if (const std::uint32_t coefficient = coefficient_in(arc.arc, row); coefficient > 0)
+          visit(arc, coefficient);
+      }
+      return;
+    }
+    for (const ArcUse& use : of_row) {
       const std::uint32_t position = position_[use.arc];
       if (position < here.arcs.size() && here.arcs[position].arc == use.arc)
         visit(here.arcs[position], use.coefficient);
@@ -255,7 +276,7 @@ class SlackSearch {
     for (const OpenArc choice : here.choices) {
       const double limit = std::min(budget, least) - choice.reduced;
       if (stopped_ || !(limit > 0)) break;
-      take(here, choice.arc, node(depth + 1));
+      take(here, choice.arc, limit, node(depth + 1));
       const double slack = solve(depth + 1, limit);
       if (slack < limit) {
         least = choice.reduced + slack;
@@ -277,13 +298,13 @@ class SlackSearch {
 
   // The affordable uses of a row, leaving it included.
   std::uint32_t num_uses(const OpenRow& row, double budget) const {
-    return count_[row.row] + (row.left * row.price < budget ? 1 : 0);
+    return open_uses_[row.row].count + (row.left * row.price < budget ? 1 : 0);
   }
 
   // The row with the fewest uses, dear ones counting less: below them not much will be left.
   OpenRow narrowest(const Node& here, double budget) const {
     const auto width = [&](const OpenRow& row) {
-      const double costs = sum_[row.row] + std::min(budget, row.left * row.price);
+      const double costs = open_uses_[row.row].sum + std::min(budget, row.left * row.price);
       return kUseWidth * num_uses(row, budget) - costs / budget;
     };
     OpenRow best = here.rows.front();
@@ -297,10 +318,15 @@ class SlackSearch {
     return best;
   }
 
-  bool is_in(std::uint32_t arc, std::uint32_t row) const {
-    const std::span<const RowUse> uses = problem_.uses(arc);
-    return std::any_of(uses.begin(), uses.end(), [&](const RowUse& use) { return use.row == row; });
+  // 0: the arc is not in the row.
+  std::uint32_t coefficient_in(std::uint32_t arc, std::uint32_t row) const {
+    for (const RowUse use : problem_.uses(arc)) {
+      if (use.row == row) return use.coefficient;
+    }
+    return 0;
   }
+
+  bool is_in(std::uint32_t arc, std::uint32_t row) const { return coefficient_in(arc, row) > 0; }
 
   void list_choices(Node& here, std::uint32_t row) {
     here.choices.clear();
@@ -311,15 +337,21 @@ class SlackSearch {
     });
   }
 
-  // What is left of a node when an arc is used; `next` may be `here`.
-  void take(const Node& here, std::uint32_t arc, Node& next) {
+  bool share_an_index(std::uint32_t a, std::uint32_t b) const {
+    if ((indices_[a] & indices_[b]) == 0) return false;
+    if (problem_.num_indices() <= kMarks) return true;
+    for (const RowUse use : problem_.uses(b)) {
+      if (use.row >= problem_.num_indices()) break;
+      if (is_in(a, use.row)) return true;
+    }
+    return false;
+  }
+
+  // What is left of a node when an arc is used and `budget` is left; `next` may be `here`.
+  void take(const Node& here, std::uint32_t arc, double budget, Node& next) {
     for (const RowUse use : problem_.uses(arc)) place_[use.row] = use.coefficient;
     copy_if(here.arcs, next.arcs, [&](const OpenArc& other) {
-      for (const RowUse use : problem_.uses(other.arc)) {
-        if (use.row >= problem_.num_indices()) break;
-        if (place_[use.row] != kNone) return false;
-      }
-      return true;
+      return other.reduced < budget && !share_an_index(arc, other.arc);
     });
     next.rows = here.rows;
     for (OpenRow& row : next.rows) {
@@ -358,10 +390,15 @@ class SlackSearch {
     std::uint32_t arc;
     std::uint32_t coefficient;
   };
+  // The open arcs of a row.
+  struct OpenUses {
+    double least = kInfinity;  // reduced cost
+    double sum = 0;            // of reduced costs
+    std::uint32_t count = 0;   // sum of coefficients
+  };
   core::Lists<ArcUse> row_arcs_;         // by row
-  std::vector<std::uint32_t> count_;     // [row]: coefficients of the open arcs
-  std::vector<double> least_;            // [row]: least reduced cost of an open arc
-  std::vector<double> sum_;              // [row]: of the reduced costs of the open arcs
+  std::vector<std::uint64_t> indices_;   // [arc]: its indices, modulo kMarks
+  std::vector<OpenUses> open_uses_;      // [row]
   std::vector<std::uint32_t> place_;     // [row]: coefficient of the arc being taken, else kNone
   std::vector<std::uint32_t> position_;  // [arc]: where it was in the list counted last
   PartFinder parts_;
