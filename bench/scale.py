@@ -1,10 +1,11 @@
 #!/usr/bin/python3
 """Time and memory against the number of arcs; writes docs/benchmarks/scale.md.
 
-    bench/scale.py BUILD_DIR [--runs N] [--most TARGETS] [--no-write]
+    bench/scale.py BUILD_DIR [--runs N] [--wait S] [--no-write]
 
 Needs a Release build, an idle machine of two cores, 1.5 GB in the folder for temporary files, and some minutes.  Every file is solved by one thread
-and by two in turn, N times (a third of that with more than 2,000,000 arcs); the least time counts.
+and by two in turn, N times (a third of that with more than 2,000,000 arcs); the least time counts.  Before each turn the script waits until nothing else
+runs, for S seconds at most in all.
 """
 
 import argparse
@@ -14,6 +15,7 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import time
 
 from shared import ROOT, processor
 
@@ -21,9 +23,34 @@ PAGE = ROOT / "docs/benchmarks/scale.md"
 FILES = [(20, 1), (20, 2), (20, 3), (200, 1), (200, 2), (200, 3), (2000, 1), (2000, 2), (2000, 3), (20000, 1)]  # targets, seed
 PRESET_TARGETS = 2000  # of the preset, which has about a million arcs
 MANY_ARCS = 2000000
+LEAST_IDLE = 0.95
 PLANTED_ARCS = 10000000
 LIMITS_S = [2, 4, 6, 8, 10]
 MOST_SOLVE_S, MOST_READ_S, LEAST_SPEEDUP, MOST_GAP, MOST_BYTES = 1.5, 0.3, 1.8, 1e-3, 64
+
+
+class Idle:
+    """Waits until the processors are idle, for some seconds in all."""
+
+    def __init__(self, patience_s):
+        self.patience_s = patience_s
+
+    def wait(self):
+        begin = time.monotonic()
+        while time.monotonic() - begin < self.patience_s and self.share() < LEAST_IDLE:
+            pass
+        self.patience_s -= time.monotonic() - begin
+
+    @staticmethod
+    def share():
+        def ticks():
+            numbers = [int(word) for word in pathlib.Path("/proc/stat").read_text().split("\n", 1)[0].split()[1:]]
+            return numbers[3] + numbers[4], sum(numbers)
+
+        before = ticks()
+        time.sleep(0.2)
+        after = ticks()
+        return (after[0] - before[0]) / max(1, after[1] - before[1])
 
 
 def generate(nda, path, *options):
@@ -46,13 +73,15 @@ def solve(nda, path, *options):
 class Measured:
     """The least times of a file, by one thread and by two."""
 
-    def __init__(self, nda, path, runs):
+    def __init__(self, nda, path, runs, idle):
+        idle.wait()
         first = solve(nda, path, "--threads", 1)
         self.arcs = first["instance"]["arcs"]
         self.parts = first["instance"]["components"]
         self.bytes = first["stats"]["peak_memory_bytes"]
         answers = {1: [first], 2: []}
         for run in range(runs if self.arcs <= MANY_ARCS else max(1, runs // 3)):
+            idle.wait()
             for threads in [1, 2] if run > 0 else [2]:
                 answers[threads].append(solve(nda, path, "--threads", threads))
         self.proven = all(answer["proven"] for answer in answers[1] + answers[2])
@@ -72,12 +101,10 @@ def judge(name, value, mark, reached):
     return f"- {name}: {value}; mark {mark}, {'reached' if reached else 'missed'}"
 
 
-def groups_tables(nda, folder, runs, most):
+def groups_tables(nda, folder, runs, idle):
     rows, marks = [], []
     for targets, seed in FILES:
-        if targets > most:
-            continue
-        times = Measured(nda, generate_groups(nda, folder, targets, seed), runs)
+        times = Measured(nda, generate_groups(nda, folder, targets, seed), runs, idle)
         rows.append(times.row(seed))
         print(rows[-1], flush=True)
         if (targets, seed) == (PRESET_TARGETS, 1):
@@ -94,11 +121,12 @@ def optimum_of(path):
         return next(float(line.split()[2]) for line in file if line.startswith("c optimum"))
 
 
-def planted_tables(nda, folder):
+def planted_tables(nda, folder, idle):
     path = generate(nda, folder / "planted.nda", "planted", "--size", PLANTED_ARCS // 500, "--arcs", PLANTED_ARCS)
     optimum = optimum_of(path)
     rows, reached_s, most_bytes = [], math.inf, 0
     for limit in LIMITS_S:
+        idle.wait()
         answer = solve(nda, path, "--threads", 1, "--time-limit", limit)
         stats = answer["stats"]
         gap = (optimum - answer["lower_bound"]) / abs(optimum)
@@ -155,14 +183,15 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("--runs", type=int, default=5)
-    parser.add_argument("--most", type=int, default=FILES[-1][0], help="targets of the largest groups")
+    parser.add_argument("--wait", type=float, default=600)
     parser.add_argument("--no-write", action="store_true")
     arguments = parser.parse_args()
     nda = arguments.build / "nda"
+    idle = Idle(arguments.wait)
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        groups, groups_marks = groups_tables(nda, folder, arguments.runs, arguments.most)
-        planted, planted_marks = planted_tables(nda, folder)
+        groups, groups_marks = groups_tables(nda, folder, arguments.runs, idle)
+        planted, planted_marks = planted_tables(nda, folder, idle)
     page = TEXT.format(
         processor=processor(),
         runs=arguments.runs,
