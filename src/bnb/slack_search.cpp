@@ -10,7 +10,7 @@
 #include "nda/proof.hpp"
 
 // Good multipliers leave a budget that pays for few deviations from zero slack, so what decides is
-// how cheaply a node is seen through.  Four things are done at a node, all in one pass over the
+// how cheaply a node is seen through.  Five things are done at a node, all in one pass over the
 // arcs that still fit and are affordable:
 //
 //   settle   a row that the arcs left cannot fill pays for the rest now;
@@ -19,6 +19,7 @@
 //   split    what falls apart is solved part by part, each within what the others left of the
 //            budget: a sum of searches where there was a product (Marinescu & Dechter 2009 call
 //            it AND/OR search).  Tracking problems fall apart after a few decisions;
+//   force    arcs that are the only use of a row are taken, all at once;
 //   branch   on the row with the fewest uses, dear ones counting less: one of its arcs is used, or
 //            none.
 //
@@ -28,7 +29,6 @@
 namespace nda::bnb {
 namespace {
 
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
 constexpr double kTolerance = 0x1p-36;
 constexpr double kStep = 0x1p-30;  // of the budget: a smaller ascent is not worth its time
 constexpr double kWorkBetweenLooks = 1 << 17;
@@ -44,7 +44,7 @@ class SlackSearch {
         limits_(limits),
         least_step_(budget < kInfinity ? kStep * budget : 0),
         open_uses_(problem.num_rows()),
-        place_(problem.num_rows(), kNone),
+        occupied_(problem.num_rows(), 0),
         position_(problem.num_arcs(), 0),
         parts_(problem) {
     list_arcs_of_rows();
@@ -135,22 +135,28 @@ class SlackSearch {
     return falls_apart(node(depth)) ? solve_parts(depth, budget) : branch(depth, budget);
   }
 
-  // Does what must be done where a row has one use only; returns whether there was such a row.
+  // Takes the arcs that are the only use of a row, all that fit together; returns whether there
+  // were any.
   bool force(Node& here, double& spent, double budget) {
-    if (here.rows.empty()) return false;
-    const OpenRow row = narrowest(here, budget - spent);
-    if (num_uses(row, budget - spent) != 1) return false;
-    if (open_uses_[row.row].count == 0) {
-      spent += row.left * row.price;
-      leave(here, row.row, here);
-      return true;
+    const std::size_t before = here.forced.size();
+    for (const OpenRow& row : here.rows) {
+      if (num_uses(row, budget - spent) != 1) continue;
+      const OpenArc only = only_arc(here, row.row);
+      if (!fits(only.arc)) continue;
+      occupy(only.arc);
+      here.forced.push_back(only.arc);
+      spent += only.reduced;
     }
-    list_choices(here, row.row);
-    const OpenArc only = here.choices.front();
-    spent += only.reduced;
-    here.forced.push_back(only.arc);
-    take(here, only.arc, budget - spent, here);
-    return true;
+    const auto forced = std::span(here.forced).subspan(before);
+    if (!forced.empty()) take(here, forced, budget - spent, here);
+    return !forced.empty();
+  }
+
+  // Of a row with one open arc.
+  OpenArc only_arc(Node& here, std::uint32_t row) {
+    OpenArc only{};
+    for_each_open(here, row, [&](const OpenArc& arc, std::uint32_t) { only = arc; });
+    return only;
   }
 
   // Drops what the budget does not pay for, charges rows for what nothing is left to fill.
@@ -276,7 +282,8 @@ class SlackSearch {
     for (const OpenArc choice : here.choices) {
       const double limit = std::min(budget, least) - choice.reduced;
       if (stopped_ || !(limit > 0)) break;
-      take(here, choice.arc, limit, node(depth + 1));
+      occupy(choice.arc);
+      take(here, std::span(&choice.arc, 1), limit, node(depth + 1));
       const double slack = solve(depth + 1, limit);
       if (slack < limit) {
         least = choice.reduced + slack;
@@ -337,29 +344,36 @@ class SlackSearch {
     });
   }
 
-  bool share_an_index(std::uint32_t a, std::uint32_t b) const {
-    if ((indices_[a] & indices_[b]) == 0) return false;
-    if (problem_.num_indices() <= kMarks) return true;
-    for (const RowUse use : problem_.uses(b)) {
-      if (use.row >= problem_.num_indices()) break;
-      if (is_in(a, use.row)) return true;
+  // What is left of a node when arcs are used that occupy their rows, and `budget` is left; `next`
+  // may be `here`.
+  void take(const Node& here, std::span<const std::uint32_t> arcs, double budget, Node& next) {
+    copy_if(here.arcs, next.arcs, [&](const OpenArc& other) {
+      return other.reduced < budget && fits(other.arc);
+    });
+    copy_if(here.rows, next.rows, [](const OpenRow&) { return true; });
+    for (OpenRow& row : next.rows) row.left -= std::min(row.left, occupied_[row.row]);
+    std::erase_if(next.rows, [](const OpenRow& row) { return row.left == 0; });
+    for (const std::uint32_t arc : arcs) {
+      for (const RowUse use : problem_.uses(arc)) occupied_[use.row] = 0;
     }
-    return false;
+    occupied_marks_ = 0;
+    next.may_split = true;
   }
 
-  // What is left of a node when an arc is used and `budget` is left; `next` may be `here`.
-  void take(const Node& here, std::uint32_t arc, double budget, Node& next) {
-    for (const RowUse use : problem_.uses(arc)) place_[use.row] = use.coefficient;
-    copy_if(here.arcs, next.arcs, [&](const OpenArc& other) {
-      return other.reduced < budget && !share_an_index(arc, other.arc);
-    });
-    next.rows = here.rows;
-    for (OpenRow& row : next.rows) {
-      if (place_[row.row] != kNone) row.left -= std::min(row.left, place_[row.row]);
+  void occupy(std::uint32_t arc) {
+    for (const RowUse use : problem_.uses(arc)) occupied_[use.row] += use.coefficient;
+    occupied_marks_ |= indices_[arc];
+  }
+
+  // Whether all indices of an arc are free.
+  bool fits(std::uint32_t arc) const {
+    if ((indices_[arc] & occupied_marks_) == 0) return true;
+    if (problem_.num_indices() <= kMarks) return false;
+    for (const RowUse use : problem_.uses(arc)) {
+      if (use.row >= problem_.num_indices()) break;
+      if (occupied_[use.row] != 0) return false;
     }
-    std::erase_if(next.rows, [](const OpenRow& row) { return row.left == 0; });
-    for (const RowUse use : problem_.uses(arc)) place_[use.row] = kNone;
-    next.may_split = true;
+    return true;
   }
 
   // What is left of a node when a row is not used any more; `next` may be `here`.
@@ -399,7 +413,8 @@ class SlackSearch {
   core::Lists<ArcUse> row_arcs_;         // by row
   std::vector<std::uint64_t> indices_;   // [arc]: its indices, modulo kMarks
   std::vector<OpenUses> open_uses_;      // [row]
-  std::vector<std::uint32_t> place_;     // [row]: coefficient of the arc being taken, else kNone
+  std::vector<std::uint32_t> occupied_;  // [row]: by the arcs being taken, else 0
+  std::uint64_t occupied_marks_ = 0;     // indices of these arcs
   std::vector<std::uint32_t> position_;  // [arc]: where it was in the list counted last
   PartFinder parts_;
   core::Pause pause_{kLongestPause};

@@ -97,17 +97,10 @@ class ProofSearch {
 
   Units explore(State state, Units limit, int depth) {
     Units paid = 0;
-    for (;;) {
+    do {
       if (!pay_unfillable(state, paid, limit) || !pay_common(state, paid, limit)) return limit;
-      if (state.rows.empty()) return paid;
-      const Row row = tightest(state, limit - paid);
-      const std::vector<Arc> choices = users(state, row.id);
-      const bool may_leave = row.left * row.price < limit - paid;
-      if (choices.size() + may_leave == 0) return limit;
-      if (choices.size() + may_leave > 1) break;
-      paid += may_leave ? row.left * row.price : choices.front().rise;
-      state = may_leave ? without(state, row.id) : with(state, choices.front().id);
-    }
+    } while (use_only_choices(state, paid, limit));
+    if (state.rows.empty() || paid >= limit) return std::min(paid, limit);
     const std::size_t num_parts = label_parts(state);
     if (num_parts < 2) return std::min(limit, paid + branch(state, limit - paid, depth + 1));
     std::vector<State> parts = divide(state, num_parts);
@@ -118,11 +111,28 @@ class ProofSearch {
     return paid;
   }
 
+  // A row that must not be left has one arc: that is used.  Several such arcs at once, as long as
+  // they share no index.  Returns whether there were any.
+  bool use_only_choices(State& state, Units& paid, Units limit) {
+    std::vector<std::uint32_t> used;
+    for (const Row& row : state.rows) {
+      if (filled_[row.id] != 1 || row.left * row.price < limit - paid) continue;
+      const Arc only = users(state, row.id).front();
+      if (meets_marks(only.id)) continue;
+      mark(only.id);
+      used.push_back(only.id);
+      paid = std::min(limit, paid + only.rise);
+    }
+    if (!used.empty()) state = with(state, used);
+    return !used.empty();
+  }
+
   Units branch(State& state, Units limit, int depth) {
     const Row row = tightest(state, limit);
     for (const Arc choice : users(state, row.id)) {
       if (choice.rise >= limit) break;
-      limit = choice.rise + least(with(state, choice.id), limit - choice.rise, depth);
+      mark(choice.id);
+      limit = choice.rise + least(with(state, {choice.id}), limit - choice.rise, depth);
       // Other orders of several arcs in a cut are no other choices.
       if (row.id >= task_.num_indices)
         std::erase_if(state.arcs, [&](const Arc& arc) { return arc.id == choice.id; });
@@ -213,7 +223,7 @@ class ProofSearch {
       const bool may_leave = row.left * row.price < limit;
       const double choices = static_cast<double>(filled_[row.id]) + (may_leave ? 1 : 0);
       const double leaving = std::min(budget, static_cast<double>(row.left * row.price));
-      return choices <= 1 ? 0 : kChoiceWidth * choices - (cost_[row.id] + leaving) / budget;
+      return kChoiceWidth * choices - (cost_[row.id] + leaving) / budget;
     };
     std::pair<double, std::size_t> best = {width(state.rows[0]), 0};
     for (std::size_t i = 1; i < state.rows.size(); ++i)
@@ -238,20 +248,30 @@ class ProofSearch {
     return found;
   }
 
-  State with(const State& state, std::uint32_t chosen) {
-    for (const SearchEntry entry : task_.entries[chosen]) marked_[entry.row] = entry.coefficient;
+  void mark(std::uint32_t arc) {
+    for (const SearchEntry entry : task_.entries[arc]) marked_[entry.row] += entry.coefficient;
+  }
+
+  bool meets_marks(std::uint32_t arc) const {
+    for (const SearchEntry entry : task_.entries[arc]) {
+      if (entry.row < task_.num_indices && marked_[entry.row] != 0) return true;
+    }
+    return false;
+  }
+
+  // What is left when arcs are used that are marked; clears the marks.
+  State with(const State& state, const std::vector<std::uint32_t>& chosen) {
     State rest;
     for (const Arc& arc : state.arcs) {
-      bool fits = true;
-      for (const SearchEntry entry : task_.entries[arc.id])
-        fits = fits && (entry.row >= task_.num_indices || marked_[entry.row] == 0);
-      if (fits) rest.arcs.push_back(arc);
+      if (!meets_marks(arc.id)) rest.arcs.push_back(arc);
     }
     for (Row row : state.rows) {
       row.left -= std::min(row.left, marked_[row.id]);
       if (row.left > 0) rest.rows.push_back(row);
     }
-    for (const SearchEntry entry : task_.entries[chosen]) marked_[entry.row] = 0;
+    for (const std::uint32_t arc : chosen) {
+      for (const SearchEntry entry : task_.entries[arc]) marked_[entry.row] = 0;
+    }
     return rest;
   }
 

@@ -6,6 +6,7 @@
 
 #include "bnb/branch_and_bound.hpp"
 #include "bnb/component_gains.hpp"
+#include "bnb/component_slack.hpp"
 #include "bnb/enumerate.hpp"
 #include "core/random.hpp"
 #include "core/reduced_costs.hpp"
@@ -44,6 +45,14 @@ constexpr std::size_t kMostCuttingArcs = 2000000;
 // What more evaluations and recoveries would find, a linear program and a search by its multipliers
 // find sooner.
 constexpr int kEvaluationsBeforeLp = 50;
+// Linear programs over many indices take so long that multipliers of their own are worth more.
+constexpr int kIndicesPerEvaluation = 25;
+// A packing that costs so little beyond the multipliers, as a share of the dearest arc, is looked
+// for; then for one that costs so many times as much, as long as there is hardly any choice.
+constexpr double kFirstFree = 0x1p-22;
+constexpr double kWidenFree = 64;
+constexpr double kFreeWork = 1e5;
+constexpr double kFreeWorkPerIndex = 50;
 // A recovery takes as long as dozens of evaluations of many arcs in one component.
 constexpr int kLargeInterval = 100;
 // A rounded point is worth descending from when it misses the best by at most this share of the
@@ -180,7 +189,10 @@ void ComponentSolver::finish(double allowed_gap) {
 void ComponentSolver::close_gap(double allowed_gap) {
   if (close_enough(allowed_gap) || deadline_.reached()) return;
   if (options_.method == Method::kExact && is_wide()) search(wide_work());
-  if (options_.method != Method::kExact) branch_and_cut(allowed_gap);
+  if (options_.method != Method::kExact) {
+    search_nearly_free();
+    if (!close_enough(allowed_gap)) branch_and_cut(allowed_gap);
+  }
   if (!close_enough(allowed_gap)) branch(allowed_gap);
 }
 
@@ -190,6 +202,33 @@ Status ComponentSolver::reason_to_stop(double allowed_gap) const {
   if (deadline_.interrupted()) return Status::kInterrupted;
   if (deadline_.expired()) return Status::kTimeLimit;
   return options_.method == Method::kRelaxation ? Status::kIterationLimit : Status::kNodeLimit;
+}
+
+// Where there is no gap and the multipliers are optimal, all that is in an optimal packing costs
+// next to nothing beyond them, and little else does (complementary slackness).
+void ComponentSolver::search_nearly_free() {
+  double largest = 0;
+  for (const double cost : component_.costs) largest = std::max(largest, std::abs(cost));
+  bnb::SlackLimits limits;
+  limits.deadline = deadline_;
+  limits.max_work = kFreeWork + kFreeWorkPerIndex * static_cast<double>(component_.num_indices());
+  for (double budget = kFirstFree * largest; !state_.complete; budget *= kWidenFree) {
+    if (state_.certificate + budget >= cutoff()) return;
+    const bnb::ComponentSlack slack = bnb::slack_of(component_, state_.u, budget, deadline_);
+    if (deadline_.reached() || slack.arcs.size() > component_.num_indices()) return;
+    limits.max_nodes = options_.branch.max_nodes - state_.nodes;
+    const bnb::SlackResult found = bnb::search_slack(slack.problem, budget, limits);
+    state_.nodes += found.nodes;
+    limits.max_work -= found.work;
+    if (!found.arcs.empty()) {
+      std::vector<ArcId> arcs = core::at_positions(slack.arcs, found.arcs);
+      offer(core::make_packing(component_, std::move(arcs)), "complementary slackness");
+    }
+    if (!found.complete) return;
+    if (found.slack == kInfinity) continue;
+    enumerated_ = true;
+    raise_bound(cutoff(), "complementary slackness");
+  }
 }
 
 // Cuts and branching on the arcs that reduced costs leave, as a component of their own.
@@ -333,7 +372,8 @@ void ComponentSolver::relax() {
   if (options_.method == Method::kAuto) {
     loop.always_recover = false;  // there is a greedy packing
     if (component_.num_arcs() <= kMostCuttingArcs) {
-      loop.max_evaluations = std::min(loop.max_evaluations, kEvaluationsBeforeLp);
+      const auto many = static_cast<int>(component_.num_indices() / kIndicesPerEvaluation);
+      loop.max_evaluations = std::min(loop.max_evaluations, std::max(kEvaluationsBeforeLp, many));
       loop.recovery_interval = 0;
     } else {
       loop.first_recovery = loop.recovery_interval =

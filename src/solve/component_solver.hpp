@@ -82,6 +82,7 @@ class ComponentSolver {
   relax::LagrangianOptions loop_options(const core::Component& component) const;
   void solve_assignment();
   void enumerate();
+  void search_nearly_free();
   void search_cliques();
   void settle_best(std::span<const double> u, int max_evaluations, const char* event);
   void relax();
