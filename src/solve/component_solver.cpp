@@ -5,9 +5,6 @@
 #include <numeric>
 
 #include "bnb/branch_and_bound.hpp"
-#include "bnb/component_gains.hpp"
-#include "bnb/component_slack.hpp"
-#include "bnb/enumerate.hpp"
 #include "core/random.hpp"
 #include "core/reduced_costs.hpp"
 #include "cutting/leaf_search.hpp"
@@ -31,15 +28,6 @@ using core::ArcId;
 using core::Component;
 using core::Packing;
 
-constexpr std::int64_t kEnumerationNodes = 200000;
-// Better multipliers, those of a linear program, end what takes longer sooner.
-constexpr std::int64_t kNodesBeforeRelaxation = 100;
-// As long as a linear program would take.
-constexpr std::size_t kCliqueArcsPerExactArc = 2;
-constexpr double kEarlyCliqueWork = 1e5;
-// Where covers by cliques were needed, multipliers will not close the gap.
-constexpr int kEvaluationsAfterCliques = 10;
-constexpr int kFeasibleSweeps = 3;
 // Above this the linear program would be too large to be of use, and memory runs out.
 constexpr std::size_t kMostCuttingArcs = 2000000;
 // What more evaluations and recoveries would find, a linear program and a search by its multipliers
@@ -47,12 +35,6 @@ constexpr std::size_t kMostCuttingArcs = 2000000;
 constexpr int kEvaluationsBeforeLp = 50;
 // Linear programs over many indices take so long that multipliers of their own are worth more.
 constexpr int kIndicesPerEvaluation = 25;
-// A packing that costs so little beyond the multipliers, as a share of the dearest arc, is looked
-// for; then for one that costs so many times as much, as long as there is hardly any choice.
-constexpr double kFirstFree = 0x1p-22;
-constexpr double kWidenFree = 64;
-constexpr double kFreeWork = 1e5;
-constexpr double kFreeWorkPerIndex = 50;
 // A recovery takes as long as dozens of evaluations of many arcs in one component.
 constexpr int kLargeInterval = 100;
 // A rounded point is worth descending from when it misses the best by at most this share of the
@@ -204,33 +186,6 @@ Status ComponentSolver::reason_to_stop(double allowed_gap) const {
   return options_.method == Method::kRelaxation ? Status::kIterationLimit : Status::kNodeLimit;
 }
 
-// Where there is no gap and the multipliers are optimal, all that is in an optimal packing costs
-// next to nothing beyond them, and little else does (complementary slackness).
-void ComponentSolver::search_nearly_free() {
-  double largest = 0;
-  for (const double cost : component_.costs) largest = std::max(largest, std::abs(cost));
-  bnb::SlackLimits limits;
-  limits.deadline = deadline_;
-  limits.max_work = kFreeWork + kFreeWorkPerIndex * static_cast<double>(component_.num_indices());
-  for (double budget = kFirstFree * largest; !state_.complete; budget *= kWidenFree) {
-    if (state_.certificate + budget >= cutoff()) return;
-    const bnb::ComponentSlack slack = bnb::slack_of(component_, state_.u, budget, deadline_);
-    if (deadline_.reached() || slack.arcs.size() > component_.num_indices()) return;
-    limits.max_nodes = options_.branch.max_nodes - state_.nodes;
-    const bnb::SlackResult found = bnb::search_slack(slack.problem, budget, limits);
-    state_.nodes += found.nodes;
-    limits.max_work -= found.work;
-    if (!found.arcs.empty()) {
-      std::vector<ArcId> arcs = core::at_positions(slack.arcs, found.arcs);
-      offer(core::make_packing(component_, std::move(arcs)), "complementary slackness");
-    }
-    if (!found.complete) return;
-    if (found.slack == kInfinity) continue;
-    enumerated_ = true;
-    raise_bound(cutoff(), "complementary slackness");
-  }
-}
-
 // Cuts and branching on the arcs that reduced costs leave, as a component of their own.
 void ComponentSolver::branch_and_cut(double allowed_gap) {
   const std::vector<ArcId> live = live_arcs();
@@ -308,59 +263,6 @@ void ComponentSolver::solve_assignment() {
       });
   offer(result.best, "assignment");
   accept_dual(std::move(result), "assignment");
-}
-
-void ComponentSolver::enumerate() {
-  state_.method = "enumeration";
-  std::vector<double> u = state_.u;
-  for (int sweep = 1; sweep < kFeasibleSweeps; ++sweep) {
-    if (relax::make_feasible(component_, u, deadline_) == -kInfinity) return;
-  }
-  const std::int64_t patience =
-      options_.method == Method::kExact ? kEnumerationNodes : kNodesBeforeRelaxation;
-  const std::int64_t max_nodes = std::min(patience, options_.branch.max_nodes);
-  const bnb::SearchResult result =
-      bnb::enumerate(component_, u, precision_.margin, max_nodes, deadline_);
-  state_.nodes += result.nodes;
-  if (result.found) offer(result.best, "enumeration");
-  if (!result.complete) return;
-  enumerated_ = true;
-  settle_best(u, options_.branch.node_evaluations, "enumeration");
-}
-
-// Covers by cliques end some small components that multipliers do not.
-void ComponentSolver::search_cliques() {
-  if (component_.num_arcs() > kCliqueArcsPerExactArc * options_.branch.exact_arcs) return;
-  state_.method = "clique search";
-  std::vector<ArcId> all(component_.num_arcs());
-  std::iota(all.begin(), all.end(), 0u);
-  const std::vector<double> u(component_.num_slots(), 0.0);
-  const bnb::ComponentGains gains = bnb::gains_over(component_, all, u);
-  bnb::CliqueLimits limits;
-  limits.max_nodes = options_.branch.max_nodes - state_.nodes;
-  limits.max_work = kEarlyCliqueWork;
-  limits.deadline = deadline_;
-  const bnb::CliqueResult result = bnb::search_cliques(gains.problem, -cutoff(), limits);
-  state_.nodes += result.nodes;
-  if (!result.arcs.empty()) {
-    std::vector<ArcId> arcs = core::at_positions(gains.arcs, result.arcs);
-    offer(core::make_packing(component_, std::move(arcs)), "clique search");
-  }
-  if (!result.complete) return;
-  searched_cliques_ = true;
-  settle_best(state_.u, kEvaluationsAfterCliques, "clique search");
-}
-
-// There is nothing better than the best.  The multipliers should prove as much of that as they can
-// by themselves.
-void ComponentSolver::settle_best(std::span<const double> u,
-                                  int max_evaluations,
-                                  const char* event) {
-  relax::LagrangianOptions loop = loop_options(component_);
-  loop.max_evaluations = std::min(max_evaluations, options_.branch.node_evaluations);
-  loop.goal = state_.best.cost - precision_.error;
-  accept_dual(relax::maximize_dual(component_, u, loop, {}), event);
-  raise_bound(state_.best.cost - precision_.error, event);
 }
 
 void ComponentSolver::relax() {

@@ -102,5 +102,24 @@ TEST(KnownOptima, AreFoundAndProven) {
   }
 }
 
+// Without a gap the multipliers leave hardly any choice: no linear program is needed.
+TEST(KnownOptima, WithoutAGapNeedNoBranching) {
+  for (const PlantedSingletons kind :
+       {PlantedSingletons::kFree, PlantedSingletons::kPriced, PlantedSingletons::kForbidden}) {
+    Options options;
+    options.proof = true;
+    options.branch.exact_arcs = 0;
+    const Problem& problem = planted(kind).problem;
+    const Solution solution = solve(problem, options);
+    EXPECT_TRUE(solution.proven);
+    EXPECT_LT(solution.stats.nodes, 100);
+    for (const ComponentReport& component : solution.components)
+      EXPECT_NE(component.method, "branch and cut");
+    const CheckReport report = check(problem, solution, *solution.proof);
+    EXPECT_TRUE(report.passed());
+    EXPECT_TRUE(report.bound_right);
+  }
+}
+
 }  // namespace
 }  // namespace nda

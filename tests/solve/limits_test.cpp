@@ -476,7 +476,7 @@ TEST(RelativeGap, IsReachedAndTheBoundHolds) {
     num_stopped_early += solution.status == Status::kGapReached;
     if (HasFailure()) return;
   }
-  EXPECT_GT(num_stopped_early, 300);
+  EXPECT_GT(num_stopped_early, 250);
 }
 
 TEST(RelativeGap, MayBeInfinite) {
