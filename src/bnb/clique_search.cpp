@@ -34,10 +34,10 @@ constexpr int kGainExponent = 61;  // the gains add up to less than 2^61 units a
 constexpr double kWorkBetweenLooks = 1 << 17;
 // The root's later branches hold more and more arcs.  Searches that came to an end within their
 // work had seen a third of the branches or more after an eighth of it, hopeless ones less than a
-// tenth. Those that saw more than half need several times their work, but come to an end.
+// tenth. Those that saw two thirds need several times their work, but come to an end.
 constexpr double kTrialShare = 0.125;
 constexpr double kLeastProgress = 0.2;
-constexpr double kGoodProgress = 0.5;
+constexpr double kGoodProgress = 0.7;
 constexpr double kMostExtension = 16;
 constexpr double kWorkPerLook = 1;  // at an arc by its set, in units of SlackLimits::max_work
 constexpr double kWorkPerWord = 0.06;
