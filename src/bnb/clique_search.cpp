@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "bnb/arc_set.hpp"
+#include "nda/proof.hpp"
 
 // Packings of arcs are independent sets of the graph in which arcs that share an index are
 // neighbours, and cliques of that graph bound them: at most one arc of a clique is used, so
@@ -71,6 +72,7 @@ class CliqueSearch {
   CliqueSearch(const CliqueProblem& problem, double target, const CliqueLimits& limits)
       : limits_(limits),
         units_(problem),
+        target_(target),
         best_(units_.target(target)),
         number_(problem.num_arcs()),
         neighbours_(problem.num_arcs()),
@@ -86,7 +88,7 @@ class CliqueSearch {
     for (const std::uint32_t a : best_arcs_) result.arcs.push_back(number_[a]);
     std::sort(result.arcs.begin(), result.arcs.end());
     result.complete = !stopped_;
-    if (result.complete) result.most = units_.gain(best_);
+    if (result.complete) result.most = improved_ ? units_.gain(best_) : target_;
     result.nodes = nodes_;
     result.work = work_;
     return result;
@@ -144,8 +146,13 @@ class CliqueSearch {
   // All packings that add open arcs to the chosen ones, which gain `gain`.
   void explore(Set open, Gain gain) {
     if (is_stopped()) return;
+    if (chosen_.size() > std::size_t{kMostProofSearchDepth}) {
+      stopped_ = true;
+      return;
+    }
     if (gain > best_) {
       best_ = gain;
+      improved_ = true;
       best_arcs_ = chosen_;
     }
     const std::size_t first = branches_.size();
@@ -166,7 +173,7 @@ class CliqueSearch {
   }
 
   // Those open arcs that a cover of cliques worth `budget` leaves over, fewest neighbours first.
-  void list_branches(const Set& open, Gain budget) {
+  [[gnu::noinline]] void list_branches(const Set& open, Gain budget) {
     sort_by_degree(open);
     Set left = open;
     bool paid = false;
@@ -231,7 +238,9 @@ class CliqueSearch {
 
   const CliqueLimits& limits_;
   const Units units_;
-  Gain best_;
+  const double target_;
+  Gain best_;  // the target at first
+  bool improved_ = false;
   std::vector<std::uint32_t> number_;  // of the problem's arcs, fewest neighbours first
   std::vector<Set> neighbours_;
   std::vector<Gain> gain_;

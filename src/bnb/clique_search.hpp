@@ -56,8 +56,8 @@ struct CliqueResult {
 /// cover of the others by cliques leaves over.
 ///
 /// Gains are counted in whole units of less than 2^-60 of their sum, rounded up.  Deterministic
-/// unless the deadline strikes.  Not complete, with no node, beyond kMostCliqueArcs.  Cost:
-/// exponential in the worst case; memory O(arcs^2) bits.
+/// unless the deadline strikes.  Not complete, with no node, beyond kMostCliqueArcs, and where a
+/// proof may not go deeper.  Cost: exponential in the worst case; memory O(arcs^2) bits.
 CliqueResult search_cliques(const CliqueProblem& problem,
                             double target,
                             const CliqueLimits& limits);

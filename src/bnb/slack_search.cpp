@@ -23,6 +23,9 @@
 //   branch   on the row with the fewest uses, dear ones counting less: one of its arcs is used, or
 //            none.
 //
+// What recursion does not pass through is kept out of its frames, which would fill the stack where
+// a compiler checks them.
+//
 // Rounding: sums of terms below the budget err by far less than kTolerance of it, so a budget that
 // much larger loses nothing.
 
@@ -137,7 +140,7 @@ class SlackSearch {
 
   // Takes the arcs that are the only use of a row, all that fit together; returns whether there
   // were any.
-  bool force(Node& here, double& spent, double budget) {
+  [[gnu::noinline]] bool force(Node& here, double& spent, double budget) {
     const std::size_t before = here.forced.size();
     for (const OpenRow& row : here.rows) {
       if (num_uses(row, budget - spent) != 1) continue;
@@ -161,7 +164,7 @@ class SlackSearch {
 
   // Drops what the budget does not pay for, charges rows for what nothing is left to fill.
   // Returns whether the budget is kept.
-  bool settle(Node& here, double& spent, double budget) {
+  [[gnu::noinline]] bool settle(Node& here, double& spent, double budget) {
     for (bool again = true; again;) {
       if (!(spent < budget)) return false;
       count(here, budget - spent);
@@ -201,7 +204,7 @@ class SlackSearch {
   }
 
   // Lowers prices and reduced costs by what every use of a row costs.
-  bool ascend(Node& here, double& spent, double budget) {
+  [[gnu::noinline]] bool ascend(Node& here, double& spent, double budget) {
     const auto pays = [&](const OpenRow& row) { return open_uses_[row.row].least > least_step_; };
     if (std::none_of(here.rows.begin(), here.rows.end(), pays)) return true;
     for (OpenRow& row : here.rows) {
@@ -250,7 +253,7 @@ class SlackSearch {
   }
 
   // Looking for parts costs as much as a node: less often where it keeps failing.
-  bool falls_apart(Node& here) {
+  [[gnu::noinline]] bool falls_apart(Node& here) {
     if (!here.may_split) return false;
     here.may_split = false;
     if (pause_.skip()) return false;
@@ -335,7 +338,7 @@ class SlackSearch {
 
   bool is_in(std::uint32_t arc, std::uint32_t row) const { return coefficient_in(arc, row) > 0; }
 
-  void list_choices(Node& here, std::uint32_t row) {
+  [[gnu::noinline]] void list_choices(Node& here, std::uint32_t row) {
     here.choices.clear();
     for_each_open(
         here, row, [&](const OpenArc& arc, std::uint32_t) { here.choices.push_back(arc); });
@@ -346,7 +349,10 @@ class SlackSearch {
 
   // What is left of a node when arcs are used that occupy their rows, and `budget` is left; `next`
   // may be `here`.
-  void take(const Node& here, std::span<const std::uint32_t> arcs, double budget, Node& next) {
+  [[gnu::noinline]] void take(const Node& here,
+                              std::span<const std::uint32_t> arcs,
+                              double budget,
+                              Node& next) {
     copy_if(here.arcs, next.arcs, [&](const OpenArc& other) {
       return other.reduced < budget && fits(other.arc);
     });
@@ -377,7 +383,7 @@ class SlackSearch {
   }
 
   // What is left of a node when a row is not used any more; `next` may be `here`.
-  void leave(const Node& here, std::uint32_t row, Node& next) const {
+  [[gnu::noinline]] void leave(const Node& here, std::uint32_t row, Node& next) const {
     copy_if(here.arcs, next.arcs, [&](const OpenArc& arc) { return !is_in(arc.arc, row); });
     copy_if(here.rows, next.rows, [&](const OpenRow& other) { return other.row != row; });
     next.may_split = true;

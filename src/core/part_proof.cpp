@@ -51,7 +51,8 @@ class PartProof {
     throw ProofFault{"step " + std::to_string(next_) + ": " + text};
   }
 
-  // Chains of fixings are walked in a loop; only branchings nest.
+  // Chains of fixings are walked in a loop; only branchings nest, and what they do not pass through
+  // is kept out of their frames.
   double follow() {
     std::vector<std::uint32_t> fixed;
     double least = kInfinity;
@@ -103,7 +104,7 @@ class PartProof {
 
   // Reduced costs of all allowed arcs into reduced_, and the bound of the point: of packings
   // without arcs, or of all.
-  double price(const ProofPoint& point, bool any_arcs = true) {
+  [[gnu::noinline]] double price(const ProofPoint& point, bool any_arcs = true) {
     take_multipliers(point);
     CertificateSum sum;
     double terms = 6;
@@ -194,7 +195,7 @@ class PartProof {
   }
 
   // Forbids arcs; returns whether there were any.
-  bool fix(const ProofStep& step, std::vector<std::uint32_t>& fixed) {
+  [[gnu::noinline]] bool fix(const ProofStep& step, std::vector<std::uint32_t>& fixed) {
     const double value = price(step.point);
     const std::size_t before = fixed.size();
     for (std::uint32_t a = 0; a < arcs_.size(); ++a) {
@@ -241,7 +242,7 @@ class PartProof {
   }
 
   // The least bound of what a search finds below the threshold, or the threshold.
-  double search(const ProofStep& step) {
+  [[gnu::noinline]] double search(const ProofStep& step) {
     if (!std::isfinite(step.threshold)) fault("a search without a finite threshold");
     const double value = price(step.point);
     if (value >= step.threshold) return step.threshold;
@@ -286,7 +287,7 @@ class PartProof {
   }
 
   // The same for a search that reckons with arcs alone, whatever the point is.
-  double cliques(const ProofStep& step) {
+  [[gnu::noinline]] double cliques(const ProofStep& step) {
     if (!std::isfinite(step.threshold)) fault("a search without a finite threshold");
     const double value = price(step.point, false);
     CliqueTask task;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/part_proof.hpp"
+#include "nda/proof.hpp"
 
 // The checker's own search over arcs that exclude each other, the idea of bnb/clique_search.cpp
 // written a second time.  Units are so small that all gains add up to 2^60 of them, and every gain
@@ -56,7 +57,9 @@ class CliqueProof {
     std::vector<Word> all(num_words_, 0);
     for (std::uint32_t a = 0; a < num_arcs_; ++a) set(all, a);
     const Units most = beat(all, least, 0);
-    return most > least ? static_cast<double>(most) * unit_ : target;
+    if (most <= least) return target;
+    return std::nextafter(static_cast<double>(most) * unit_,
+                          std::numeric_limits<double>::infinity());
   }
 
  private:
@@ -70,6 +73,7 @@ class CliqueProof {
       for (const std::uint32_t i : task.indices[a]) users[i].push_back(a);
     }
     for (const std::vector<std::uint32_t>& group : users) {
+      spend(group.size() * group.size());
       for (const std::uint32_t a : group) {
         for (const std::uint32_t b : group) {
           if (a != b) excludes_[a * num_words_ + b / kWordBits] |= Word{1} << b % kWordBits;
@@ -108,6 +112,7 @@ class CliqueProof {
 
   // The greatest gain of open arcs, if it beats `least`, else `least`.
   Units beat(std::vector<Word>& open, Units least, std::size_t depth) {
+    if (depth > std::size_t{kMostProofSearchDepth}) throw ProofFault{"the search is too deep"};
     std::vector<std::uint32_t> branches;
     const Units nothing = std::max<Units>(0, least);
     if (find_branches(open, nothing, branches)) return nothing;

@@ -56,7 +56,7 @@ double BranchAndCut::explore(int depth, double inherited) {
     cutoff_ = offer_(master_, &found);
     return close(lower);
   }
-  if (limits_.pause) cutoff_ = limits_.pause();
+  if (limits_.pause) cutoff_ = limits_.pause(num_nodes());
   if (lower >= cutoff_) return close(lower);
   const Choice choice = choose();
   const bool together_first = choice.together <= choice.apart;

@@ -22,9 +22,9 @@ struct BranchAndCutLimits {
   double leaf_work = LeafLimits{}.max_work;  ///< LeafLimits::max_work of a node
   core::Deadline deadline;
   ProofLog* proof = nullptr;  ///< where to write down the tree; whole if the search is exhaustive
-  /// Called before every branching, a chance to look for better packings elsewhere; returns the
-  /// cutoff from now on.  May be empty.
-  std::function<double()> pause;
+  /// Called before every branching with the nodes so far, a chance to look for better packings
+  /// elsewhere; returns the cutoff from now on.  May be empty.
+  std::function<double(std::int64_t nodes)> pause;
 };
 
 /// What came out of branch and cut.

@@ -30,6 +30,9 @@ constexpr double kPauseShare = 0.5;
 // A search within the slack often ends what has few indices, whatever the gap: the first one may
 // take longer there, by this work over the number of indices.
 constexpr double kFirstLeafWork = 4e8;
+// A sixteenth of what a checker does for a proof, since the search may take that many times as
+// long.
+constexpr double kMostCoverWork = 1e9;
 // Rounds of cuts before the first, the second call for better packings, and after that.
 constexpr std::array<int, 3> kRounds = {1, 30, 200};
 
@@ -57,7 +60,7 @@ class Widening {
       double reach = kFirstReach * (cutoff_ - master_.lower());
       while (search(master_.lower() + reach)) {
         improve(0);
-        if (cover()) break;
+        if (cover(0)) break;
         const bool fast = last_tree_nodes_ < kFewNodes || primal_share_ < kPrimalShare;
         reach *= fast ? kWidenFast : kWidenSlowly;
       }
@@ -125,10 +128,12 @@ class Widening {
     limits.root_patterns = kAllPatterns;
     limits.deadline = limits_.deadline;
     limits.proof = limits_.proof;
-    limits.pause = [&] {
+    limits.pause = [&](std::int64_t nodes) {
       if (is_improvement_due(circle.simplex_iterations())) {
         improve(circle.simplex_iterations());
-        if (cover()) return -kInfinity;
+        const std::int64_t before = result_.nodes;
+        if (cover(nodes)) return -kInfinity;
+        limits.max_nodes -= result_.nodes - before;
       }
       return std::min(cutoff_, target);
     };
@@ -148,12 +153,12 @@ class Widening {
 
   // All packings by cliques, which may take as long as bounds took; returns whether that was
   // enough.
-  bool cover() {
+  bool cover(std::int64_t running) {
     LeafLimits limits;
-    limits.max_nodes = limits_.max_nodes - result_.nodes;
+    limits.max_nodes = limits_.max_nodes - result_.nodes - running;
     limits.deadline = limits_.deadline;
     LeafSearch leaf(component_, limits, 0, offer_);
-    leaf.earn(bound_work_);
+    leaf.earn(std::min(bound_work_, kMostCoverWork));
     covered_ = leaf.cover(master_, cutoff_);
     result_.nodes += leaf.nodes();
     if (covered_) raise(cutoff_);

@@ -94,7 +94,7 @@ void ComponentSolver::search_nearly_free() {
   bnb::SlackLimits limits;
   limits.deadline = deadline_;
   limits.max_work = kFreeWork + kFreeWorkPerIndex * static_cast<double>(component_.num_indices());
-  for (double budget = kFirstFree * largest; !state_.complete; budget *= kWidenFree) {
+  for (double budget = kFirstFree * largest; budget > 0 && !state_.complete; budget *= kWidenFree) {
     if (state_.certificate + budget >= cutoff()) return;
     const bnb::ComponentSlack slack = bnb::slack_of(component_, state_.u, budget, deadline_);
     if (deadline_.reached() || slack.arcs.size() > component_.num_indices()) return;

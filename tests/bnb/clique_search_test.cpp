@@ -10,6 +10,7 @@
 
 #include "bnb/arc_set.hpp"
 #include "core/random.hpp"
+#include "nda/proof.hpp"
 
 namespace nda::bnb {
 namespace {
@@ -81,6 +82,15 @@ TEST(CliqueSearch, LeavesLargeProblemsAlone) {
   for (std::uint32_t a = 0; a <= kMostCliqueArcs; ++a) add_arc(problem, 1, {a});
   EXPECT_FALSE(search(problem, 0).complete);
   EXPECT_EQ(search(problem, 0).nodes, 0);
+}
+
+// Arcs that exclude nothing are taken one by one.
+TEST(CliqueSearch, GoesNoDeeperThanItsProofMay) {
+  for (const int arcs : {kMostProofSearchDepth, kMostProofSearchDepth + 10}) {
+    CliqueProblem problem;
+    for (int a = 0; a < arcs; ++a) add_arc(problem, 1, {static_cast<std::uint32_t>(a)});
+    EXPECT_EQ(search(problem, 0).complete, arcs == kMostProofSearchDepth);
+  }
 }
 
 // What is not told apart by doubles is not told apart by units either, whatever the sizes.

@@ -149,6 +149,23 @@ TEST(Precision, OfSubnormalCostsHolds) {
   }
 }
 
+// Too many arcs for the searches of small components; shares of the costs are 0.
+TEST(Precision, OfManySubnormalCostsHolds) {
+  core::Random random(1);
+  ProblemBuilder builder({4, 4, 4, 4});
+  for (int a = 0; a < 200; ++a) {
+    std::vector<Index> tuple;
+    for (int k = 0; k < 4; ++k) tuple.push_back(1 + static_cast<Index>(random.below(4)));
+    builder.add_arc(tuple, -static_cast<double>(1 + random.below(9000)) * 5e-324);
+  }
+  const Problem problem = std::move(builder).build();
+  Options options;
+  options.branch.exact_arcs = 0;
+  options.branch.max_nodes = 100000;
+  const Solution solution = solve(problem, options);
+  EXPECT_THAT(check(problem, solution).faults, IsEmpty());
+}
+
 TEST(Precision, HoldsForCostsOfAnyOrdinarySize) {
   for (const double size : {1e-90, 1e-30, 1e-12, 1e12, 1e30, 1e90}) {
     SCOPED_TRACE(size);
