@@ -19,7 +19,7 @@
 //   split    what falls apart is solved part by part, each within what the others left of the
 //            budget: a sum of searches where there was a product (Marinescu & Dechter 2009 call
 //            it AND/OR search).  Tracking problems fall apart after a few decisions;
-//   force    arcs that are the only use of a row are taken, all at once;
+//   force    arcs that are the only use of a row are taken, where they are many all at once;
 //   branch   on the row with the fewest uses, dear ones counting less: one of its arcs is used, or
 //            none.
 //
@@ -37,6 +37,7 @@ constexpr double kStep = 0x1p-30;  // of the budget: a smaller ascent is not wor
 constexpr double kWorkBetweenLooks = 1 << 17;
 constexpr double kUseWidth = 1.5;
 constexpr int kLongestPause = 3;
+constexpr std::ptrdiff_t kFewForced = 16;
 constexpr std::size_t kUsesOfArc = 8;  // about
 constexpr std::uint32_t kMarks = 64;   // bits of a set of indices
 
@@ -138,21 +139,34 @@ class SlackSearch {
     return falls_apart(node(depth)) ? solve_parts(depth, budget) : branch(depth, budget);
   }
 
-  // Takes the arcs that are the only use of a row, all that fit together; returns whether there
-  // were any.
+  // Takes arcs that are the only use of a row: the first one where there are few such rows, as the
+  // ascent that follows is worth its time, else all that fit together.  Returns whether there were
+  // any.
   [[gnu::noinline]] bool force(Node& here, double& spent, double budget) {
+    const auto forces = [&](const OpenRow& row) { return num_uses(row, budget - spent) == 1; };
+    const auto num_rows = std::count_if(here.rows.begin(), here.rows.end(), forces);
+    if (num_rows == 0) return false;
     const std::size_t before = here.forced.size();
-    for (const OpenRow& row : here.rows) {
-      if (num_uses(row, budget - spent) != 1) continue;
-      const OpenArc only = only_arc(here, row.row);
-      if (!fits(only.arc)) continue;
-      occupy(only.arc);
-      here.forced.push_back(only.arc);
-      spent += only.reduced;
+    if (num_rows <= kFewForced) {
+      const OpenRow row = narrowest(here, budget - spent);
+      if (forces(row)) force(here, row, spent);
+    } else {
+      for (const OpenRow& row : here.rows) {
+        if (forces(row)) force(here, row, spent);
+      }
     }
     const auto forced = std::span(here.forced).subspan(before);
     if (!forced.empty()) take(here, forced, budget - spent, here);
     return !forced.empty();
+  }
+
+  // Occupies the rows of a row's only arc, if it fits.
+  void force(Node& here, const OpenRow& row, double& spent) {
+    const OpenArc only = only_arc(here, row.row);
+    if (!fits(only.arc)) return;
+    occupy(only.arc);
+    here.forced.push_back(only.arc);
+    spent += only.reduced;
   }
 
   // Of a row with one open arc.

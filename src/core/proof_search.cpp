@@ -21,6 +21,7 @@ using Units = std::int64_t;
 
 constexpr int kBudgetExponent = 48;
 constexpr int kLongestPause = 3;
+constexpr std::ptrdiff_t kFewForced = 16;
 constexpr std::size_t kMostHeld = 200'000'000;  // arcs in all states at once
 constexpr double kChoiceWidth = 1.5;
 constexpr std::uint32_t kMostCapacity = 255;
@@ -111,17 +112,23 @@ class ProofSearch {
     return paid;
   }
 
-  // A row that must not be left has one arc: that is used.  Several such arcs at once, as long as
-  // they share no index.  Returns whether there were any.
+  // A row that must not be left has one arc: that is used.  One after the other, with what lowers
+  // all choices in between, or many at once, as long as they share no index.  Returns whether there
+  // were any.
   bool use_only_choices(State& state, Units& paid, Units limit) {
+    const auto is_forced = [&](const Row& row) {
+      return filled_[row.id] == 1 && row.left * row.price >= limit - paid;
+    };
+    const auto count = std::count_if(state.rows.begin(), state.rows.end(), is_forced);
     std::vector<std::uint32_t> used;
     for (const Row& row : state.rows) {
-      if (filled_[row.id] != 1 || row.left * row.price < limit - paid) continue;
+      if (!is_forced(row)) continue;
       const Arc only = users(state, row.id).front();
       if (meets_marks(only.id)) continue;
       mark(only.id);
       used.push_back(only.id);
       paid = std::min(limit, paid + only.rise);
+      if (count <= kFewForced) break;
     }
     if (!used.empty()) state = with(state, used);
     return !used.empty();
