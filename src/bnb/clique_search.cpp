@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <utility>
 
 #include "bnb/arc_set.hpp"
 #include "nda/proof.hpp"
@@ -88,7 +88,8 @@ class CliqueSearch {
     for (const std::uint32_t a : best_arcs_) result.arcs.push_back(number_[a]);
     std::sort(result.arcs.begin(), result.arcs.end());
     result.complete = !stopped_;
-    if (result.complete) result.most = improved_ ? units_.gain(best_) : target_;
+    if (result.complete)
+      result.most = best_ > units_.target(target_) ? units_.gain(best_) : target_;
     result.nodes = nodes_;
     result.work = work_;
     return result;
@@ -100,13 +101,15 @@ class CliqueSearch {
   // Arcs with few neighbours get small numbers, which decide ties.
   void link(const CliqueProblem& problem) {
     const std::vector<Set> by_number = neighbours_of(problem);
-    const auto degree = [&](std::uint32_t a) { return by_number[a].count_common(by_number[a]); };
-    std::iota(number_.begin(), number_.end(), 0u);
-    std::stable_sort(number_.begin(), number_.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return degree(a) < degree(b);
-    });
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> by_degree;
+    for (std::uint32_t a = 0; a < by_number.size(); ++a)
+      by_degree.emplace_back(by_number[a].count_common(by_number[a]), a);
+    std::sort(by_degree.begin(), by_degree.end());
     std::vector<std::uint32_t> place(number_.size());
-    for (std::uint32_t i = 0; i < number_.size(); ++i) place[number_[i]] = i;
+    for (std::uint32_t i = 0; i < number_.size(); ++i) {
+      number_[i] = by_degree[i].second;
+      place[number_[i]] = i;
+    }
     for (std::uint32_t i = 0; i < number_.size(); ++i) {
       by_number[number_[i]].for_each([&](std::uint32_t b) { neighbours_[i].insert(place[b]); });
       gain_.push_back(units_.up(problem.gain(number_[i])));
@@ -152,7 +155,6 @@ class CliqueSearch {
     }
     if (gain > best_) {
       best_ = gain;
-      improved_ = true;
       best_arcs_ = chosen_;
     }
     const std::size_t first = branches_.size();
@@ -239,8 +241,7 @@ class CliqueSearch {
   const CliqueLimits& limits_;
   const Units units_;
   const double target_;
-  Gain best_;  // the target at first
-  bool improved_ = false;
+  Gain best_;                          // the target at first
   std::vector<std::uint32_t> number_;  // of the problem's arcs, fewest neighbours first
   std::vector<Set> neighbours_;
   std::vector<Gain> gain_;

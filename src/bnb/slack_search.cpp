@@ -370,7 +370,7 @@ class SlackSearch {
     copy_if(here.arcs, next.arcs, [&](const OpenArc& other) {
       return other.reduced < budget && fits(other.arc);
     });
-    copy_if(here.rows, next.rows, [](const OpenRow&) { return true; });
+    next.rows = here.rows;
     for (OpenRow& row : next.rows) row.left -= std::min(row.left, occupied_[row.row]);
     std::erase_if(next.rows, [](const OpenRow& row) { return row.left == 0; });
     for (const std::uint32_t arc : arcs) {

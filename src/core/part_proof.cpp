@@ -18,7 +18,7 @@ namespace nda::core {
 namespace {
 
 constexpr std::uint32_t kNowhere = std::numeric_limits<std::uint32_t>::max();
-constexpr double kMostSearchWork = 2e10;  // of all searches of a part: a minute or two
+constexpr double kMostSearchWork = 2e10;  // of all searches of a part: some minutes
 // Sums of so few terms in double-double err by less than this share of their absolute values.
 constexpr double kShare = 0x1p-90;
 

@@ -29,7 +29,7 @@ class ProofLog {
   void search(std::span<const double> u, double threshold);
   /// By the cuts of `master` and other multipliers than its own.
   void search(const Master& master, std::span<const double> u, double threshold);
-  /// By what arcs gain over `u`.
+  /// By what arcs gain over `u`; empty = 0 for all.
   void cliques(std::span<const double> u, double threshold);
   /// The two children follow, in this order.
   void branch(std::uint32_t first, std::uint32_t second, bool together_first);

@@ -69,7 +69,7 @@ class Widening {
     if (limits_.proof != nullptr && (covered_ || !exhaustive_)) {
       limits_.proof->cut_back(proof_size_);
       if (covered_)
-        limits_.proof->cliques(std::vector<double>(component_.num_slots(), 0.0), cutoff_);
+        limits_.proof->cliques({}, cutoff_);
       else
         limits_.proof->bound(master_);
     }

@@ -232,10 +232,9 @@ void ComponentSolver::adopt_multipliers(const Component& core, std::span<const d
 // that the checker can do again.
 void ComponentSolver::finish_proof() {
   if (proof_->size() > 0) return;
-  if (state_.certificate >= cutoff()) return proof_->bound(state_.u);
-  if (enumerated_) return proof_->search(state_.u, cutoff());
-  if (searched_cliques_)
-    return proof_->cliques(std::vector<double>(component_.num_slots(), 0.0), cutoff());
+  const bool is_open = state_.certificate < cutoff();
+  if (is_open && enumerated_) return proof_->search(state_.u, cutoff());
+  if (is_open && searched_cliques_) return proof_->cliques({}, cutoff());
   proof_->bound(state_.u);
 }
 
