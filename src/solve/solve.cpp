@@ -406,7 +406,9 @@ class Pipeline {
       infeasible = infeasible || (state.complete && !state.feasible);
     }
     if (!missing_.empty()) return set_infeasible(solution, complete || infeasible);
-    if (complete && (on_grid || negligible(error, solution.cost))) {
+    // However coarse the search was, a certificate that meets the cost is beyond doubt.
+    const double open = solution.cost - solution.stats.certificate_bound;
+    if (complete && (on_grid || negligible(std::min(error, open), solution.cost))) {
       solution.status = Status::kOptimal;
       solution.proven = solution.solutions.front().proven = true;
     } else if (complete) {
