@@ -142,6 +142,13 @@ std::vector<double> restrict_slots(const Component& whole,
   return restricted;
 }
 
+std::vector<std::uint32_t> slots_in_part(const Component& whole, const Component& part) {
+  std::vector<std::uint32_t> numbers(whole.num_slots(), 0);
+  for_each_shared_slot(
+      whole, part, [&](std::uint32_t slot, std::uint32_t part_slot) { numbers[slot] = part_slot; });
+  return numbers;
+}
+
 void extend_slots(const Component& part,
                   std::span<const double> values,
                   const Component& whole,

@@ -143,8 +143,12 @@ std::vector<double> restrict_slots(const Component& whole,
                                    std::span<const double> values,
                                    const Component& part);
 
-/// The inverse: writes values by slot of `part` to the same slots of `whole`, where others keep
-/// theirs.
+/// By slot of `whole`: the same slot of `part`, which was cut out of it; 0, a dummy, where it has
+/// none.
+std::vector<std::uint32_t> slots_in_part(const Component& whole, const Component& part);
+
+/// The inverse of restrict_slots(): writes values by slot of `part` to the same slots of `whole`,
+/// where others keep theirs.
 void extend_slots(const Component& part,
                   std::span<const double> values,
                   const Component& whole,

@@ -15,7 +15,12 @@ namespace {
 using core::ArcId;
 
 constexpr double kShrunk = 0.75;
-constexpr double kFirstShare = 0.125;  // of the gap
+// Of the gap: the first budget, and the least for which success is hoped.
+constexpr double kFirstShare = 0x1p-3;
+constexpr double kFailedShare = 0x1p-3;
+// Over many indices a search whose budget is a small part of the gap may only take a part of the
+// credit: what fails early would have failed late.
+constexpr double kFewIndices = 4000;
 
 std::vector<ArcId> allowed(const Master& master) {
   std::vector<ArcId> arcs;
@@ -64,17 +69,18 @@ bool LeafSearch::search_slack(const Master& master, double& cutoff) {
   const double gap = cutoff - slack.base();
   bnb::SlackLimits limits;
   limits.deadline = limits_.deadline;
+  const double few = kFewIndices / static_cast<double>(component_.num_indices());
   double budget = kFirstShare * gap > 0 ? kFirstShare * gap : gap;
   for (double work = 0;; budget *= 2) {
     budget = std::min(gap, budget);
-    limits.max_work = credit_ - work;
+    limits.max_work = credit_ * std::min(1.0, few * std::sqrt(budget / gap)) - work;
     limits.max_nodes = limits_.max_nodes - nodes_;
     const std::vector<ArcId> arcs = slack.affordable(budget);
     const bnb::SlackResult result = bnb::search_slack(slack.problem(arcs), budget, limits);
     nodes_ += result.nodes;
     work += result.work;
     if (result.slack < kInfinity) lower(master, core::at_positions(arcs, result.arcs), cutoff);
-    failed_budget_ = budget;
+    failed_budget_ = std::max(budget, kFailedShare * gap);
     if (!result.complete) return false;
     if (!(result.slack < budget) && budget < gap) continue;
     if (limits_.proof != nullptr) limits_.proof->search(master, slack.u(), cutoff);

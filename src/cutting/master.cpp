@@ -20,7 +20,7 @@ using core::Component;
 constexpr double kTolerance = 1e-9;
 constexpr double kBeyond = 1e-7;
 constexpr int kNoIterationLimit = 1 << 30;
-constexpr std::size_t kStartArcsPerIndex = 8;
+constexpr std::size_t kStartArcsPerIndex = 2;
 constexpr std::size_t kStartArcs = 1000;
 constexpr std::size_t kMostEntering = 6000;
 constexpr double kShrunk = 0.5;

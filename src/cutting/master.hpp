@@ -39,6 +39,9 @@ class Master {
   /// `cutoff`.  lower(), u() and reduced_cost() hold after kOptimal and kCutoff only.
   lp::Outcome solve(double cutoff, const core::Deadline& deadline);
 
+  /// What it relaxes.
+  const core::Component& component() const { return component_; }
+
   /// Lower bound: sum u + sum over cuts of multiplier * right side + sum over arcs of min(0, r).
   double lower() const { return lower_; }
   std::span<const double> u() const { return u_; }

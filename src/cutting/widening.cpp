@@ -23,6 +23,8 @@ constexpr double kWidenSlowly = 1.5;
 constexpr std::int64_t kFewNodes = 15;
 constexpr double kPrimalShare = 2;  // at first, of the work of pivots: separation is as dear
 constexpr double kLeastPrimalShare = 0.25;
+// Where less than this part of the first gap is left, the circles will find the best packing soon.
+constexpr double kOpen = 8;
 // Between two calls for better packings within a tree; at least half of all before, so that there
 // are few.
 constexpr double kLeastPauseWork = 1e7;
@@ -34,12 +36,23 @@ constexpr double kFirstLeafWork = 4e8;
 // long.
 constexpr double kMostCoverWork = 1e9;
 // Rounds of cuts before the first, the second call for better packings, and after that.
-constexpr std::array<int, 3> kRounds = {1, 30, 200};
+constexpr std::array<int, 4> kRounds = {3, 8, 30, 200};
 
 std::vector<ArcId> all_arcs(const core::Component& component) {
   std::vector<ArcId> arcs(component.num_arcs());
   std::iota(arcs.begin(), arcs.end(), 0u);
   return arcs;
+}
+
+// What a cut says of arcs that use no other than these slots; 0 = not among them.
+Cut restrict_cut(const Cut& cut, std::span<const std::uint32_t> slots) {
+  Cut restricted{{}, {}, cut.divisor};
+  for (std::size_t i = 0; i < cut.slots.size(); ++i) {
+    if (slots[cut.slots[i]] == 0) continue;
+    restricted.slots.push_back(slots[cut.slots[i]]);
+    restricted.weights.push_back(cut.weights[i]);
+  }
+  return restricted;
 }
 
 class Widening {
@@ -117,12 +130,15 @@ class Widening {
     for (const ArcId a : master_.live()) {
       if (master_.lower() + master_.reduced_cost(a) < target) near.push_back(a);
     }
+    const core::Component within = cutter_.cut(component_, near);
+    Master circle(within, all_arcs(within), core::restrict_slots(component_, master_.u(), within));
+    const std::vector<std::uint32_t> slots = core::slots_in_part(component_, within);
+    for (const CutRow& row : master_.cuts()) circle.add(restrict_cut(row.cut, slots));
     if (limits_.proof != nullptr) {
       limits_.proof->cut_back(proof_size_);
       limits_.proof->fix(master_, target);
+      limits_.proof->enter(within);
     }
-    Master circle(component_, std::move(near), master_.u());
-    for (const CutRow& row : master_.cuts()) circle.add(row.cut);
     BranchAndCutLimits limits;
     limits.max_nodes = limits_.max_nodes - result_.nodes;
     limits.root_patterns = kAllPatterns;
@@ -138,11 +154,12 @@ class Widening {
       return std::min(cutoff_, target);
     };
     BranchAndCut tree(
-        component_, circle, target, limits, [&](const Master& point, const core::Packing* packing) {
+        within, circle, target, limits, [&](const Master& point, const core::Packing* packing) {
           cutoff_ = observer_.offer(point, packing);
           return std::min(cutoff_, target);
         });
     const BranchAndCutResult found = tree.run();
+    if (limits_.proof != nullptr) limits_.proof->enter(component_);
     result_.nodes += found.nodes;
     last_tree_nodes_ = found.tree_nodes;
     circle_pivots_ += circle.simplex_iterations();
@@ -171,7 +188,10 @@ class Widening {
     const double new_work = work_since_improve(running);
     bound_work_ += new_work;
     const double before = cutoff_;
-    cutoff_ = observer_.improve(master_, primal_share_ * new_work, bound_work_);
+    const double gap = before - master_.lower();
+    if (first_gap_ == kInfinity) first_gap_ = gap;
+    const double open = std::min(1.0, kOpen * gap / first_gap_);
+    cutoff_ = observer_.improve(master_, open * primal_share_ * new_work, bound_work_);
     pivots_at_improve_ = pivots(running);
     primal_share_ =
         cutoff_ < before ? kPrimalShare : std::max(kLeastPrimalShare, primal_share_ / 2);
@@ -204,10 +224,12 @@ class Widening {
     return cutoff_ = observer_.offer(master, packing);
   };
   Master master_;
+  core::Cutter cutter_;
   std::size_t proof_size_;   // before the circles
   bool exhaustive_ = false;  // the last circle holds all, and its tree was searched to the end
   bool covered_ = false;     // cover() was enough
   double primal_share_ = kPrimalShare;
+  double first_gap_ = kInfinity;  // at the first call for better packings
   std::int64_t last_tree_nodes_ = 0;
   std::int64_t circle_pivots_ = 0;  // of all circles
   std::int64_t pivots_at_improve_ = 0;

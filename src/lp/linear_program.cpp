@@ -21,6 +21,9 @@ constexpr int kStatusInfeasible = 1;
 constexpr int kStatusStopped = 3;
 constexpr int kStatusStoppedByEvent = 5;
 constexpr int kPivotsBetweenLooks = 16;
+constexpr int kMostScaledRows = 4000;
+constexpr int kNoScaling = 0;
+constexpr int kAutomaticScaling = 3;
 
 // Stops the simplex method at the deadline of the run.
 class DeadlineEvent : public ClpEventHandler {
@@ -180,6 +183,12 @@ Outcome LinearProgram::solve_dual(const core::Deadline& deadline,
   });
 }
 
+// Scale factors are computed anew in every solve, which over many rows takes longer than the few
+// pivots that follow.  Over few rows they save pivots.
+void LinearProgram::choose_scaling() {
+  clp_->simplex.scaling(num_rows() > kMostScaledRows ? kNoScaling : kAutomaticScaling);
+}
+
 // Where the basis led into trouble, the one of slacks leads out of it.
 template <typename Algorithm>
 Outcome LinearProgram::run(const core::Deadline& deadline,
@@ -188,6 +197,7 @@ Outcome LinearProgram::run(const core::Deadline& deadline,
                            Algorithm algorithm) {
   ClpSimplex& simplex = clp_->simplex;
   clp_->deadline = &deadline;
+  choose_scaling();
   for (const bool again : {false, true}) {
     // Once its seconds are over, CLP may call a start that it did not look at optimal.
     if (deadline.reached()) return Outcome::kStopped;

@@ -72,6 +72,7 @@ class LinearProgram {
 
  private:
   void hand_over();
+  void choose_scaling();
   void hand_over_rows();
   void hand_over_columns();
   template <typename Algorithm>

@@ -23,6 +23,7 @@ using core::Packing;
 // pair of an index and an arc.
 constexpr double kFirstWork = 2e6;
 constexpr double kFirstWorkPerIndex = 10000;
+constexpr double kMostFirstWork = 3e7;
 constexpr double kWideWorkPerPair = 3000;
 constexpr double kMostWideWork = 5e8;
 constexpr double kWideGap = 0.02;
@@ -33,7 +34,8 @@ constexpr double kDiveShare = 0.15;  // of that work
 }  // namespace
 
 double ComponentSolver::first_work() const {
-  return kFirstWork + kFirstWorkPerIndex * static_cast<double>(component_.num_indices());
+  const auto indices = static_cast<double>(component_.num_indices());
+  return std::min(kMostFirstWork, kFirstWork + kFirstWorkPerIndex * indices);
 }
 
 double ComponentSolver::wide_work() const {
@@ -98,7 +100,7 @@ void ComponentSolver::search_by_master(const Component& core,
   recovery::MasterSearchOptions search;
   search.max_work = work;
   search.least_round_work = others.empty() ? 0.0 : work / kWideRounds;
-  search.goal = state_.lower + precision_.error;
+  search.goal = search_goal();
   core::Random random(seed_ + static_cast<std::uint64_t>(improvements_));
   const Packing found =
       recovery::search_by_master(core, point, start, others, search, random, deadline_);
@@ -111,7 +113,7 @@ void ComponentSolver::search(double work) {
   recovery::CoreSearchOptions search;
   search.kicks_per_index = searched_ ? 0 : options_.search.kicks_per_index;
   search.neighbourhood_work = work;
-  search.goal = state_.lower + precision_.error;
+  search.goal = search_goal();
   core::Random random(seed_ + static_cast<std::uint64_t>(improvements_));
   searched_ = true;
   offer(recovery::search_core(component_,

@@ -163,31 +163,31 @@ std::vector<ArcId> ComponentSolver::live_arcs() const {
 
 void ComponentSolver::finish(double allowed_gap) {
   // What the penalties of uncovered indices cost is no gap that anyone asked for.
-  if (!state_.feasible) allowed_gap = 0;
-  if (options_.method != Method::kRelaxation) close_gap(allowed_gap);
-  state_.stopped = reason_to_stop(allowed_gap);
+  allowed_gap_ = state_.feasible ? allowed_gap : 0;
+  if (options_.method != Method::kRelaxation) close_gap();
+  state_.stopped = reason_to_stop();
 }
 
-void ComponentSolver::close_gap(double allowed_gap) {
-  if (close_enough(allowed_gap) || deadline_.reached()) return;
+void ComponentSolver::close_gap() {
+  if (close_enough() || deadline_.reached()) return;
   if (options_.method == Method::kExact && is_wide()) search(wide_work());
   if (options_.method != Method::kExact) {
     search_nearly_free();
-    if (!close_enough(allowed_gap)) branch_and_cut(allowed_gap);
+    if (!close_enough()) branch_and_cut();
   }
-  if (!close_enough(allowed_gap)) branch(allowed_gap);
+  if (!close_enough()) branch();
 }
 
-Status ComponentSolver::reason_to_stop(double allowed_gap) const {
+Status ComponentSolver::reason_to_stop() const {
   if (state_.complete) return Status::kOptimal;
-  if (close_enough(allowed_gap)) return Status::kGapReached;
+  if (close_enough()) return Status::kGapReached;
   if (deadline_.interrupted()) return Status::kInterrupted;
   if (deadline_.expired()) return Status::kTimeLimit;
   return options_.method == Method::kRelaxation ? Status::kIterationLimit : Status::kNodeLimit;
 }
 
 // Cuts and branching on the arcs that reduced costs leave, as a component of their own.
-void ComponentSolver::branch_and_cut(double allowed_gap) {
+void ComponentSolver::branch_and_cut() {
   const std::vector<ArcId> live = live_arcs();
   state_.live_arcs = live.size();
   if (live.empty() || live.size() > kMostCuttingArcs) return;
@@ -195,7 +195,7 @@ void ComponentSolver::branch_and_cut(double allowed_gap) {
   core::Cutter cutter;
   const Component core = cutter.cut(component_, live);
   const std::vector<double> u = core::restrict_slots(component_, state_.u, core);
-  const auto goal = [&] { return state_.best.cost - std::max(precision_.margin, allowed_gap); };
+  const auto goal = [&] { return state_.best.cost - std::max(precision_.margin, allowed_gap_); };
   cutting::WideningLimits limits;
   limits.cutoff = goal();
   limits.max_nodes = options_.branch.max_nodes - state_.nodes;
@@ -207,8 +207,10 @@ void ComponentSolver::branch_and_cut(double allowed_gap) {
   }
   cutting::WideningObserver observer;
   observer.offer = [&](const cutting::Master& point, const Packing* found) {
-    Packing packing = found != nullptr ? *found : round(core, point);
-    for (ArcId& a : packing.arcs) a = live[a];
+    const Component& relaxed = point.component();
+    Packing packing = found != nullptr ? *found : round(relaxed, point);
+    for (ArcId& a : packing.arcs) a = core::original_arc(relaxed, a);
+    packing.arcs = core::arcs_from_original(component_, std::move(packing.arcs));
     offer(packing, "branch and cut");
     return goal();
   };
@@ -245,7 +247,7 @@ Packing ComponentSolver::round(const Component& core, const cutting::Master& poi
   if (packing.cost > state_.best.cost + kPromising * gap) return packing;
   recovery::CoreSearchOptions search;
   search.kicks_per_index = 0;
-  search.goal = state_.lower + precision_.error;
+  search.goal = search_goal();
   core::Random random(seed_);
   return recovery::search_core(
       core, point.u(), cutoff() - state_.lower, packing, search, random, deadline_);
@@ -309,7 +311,7 @@ void ComponentSolver::accept_multipliers(std::vector<double> u,
   raise_bound(certificate, event);
 }
 
-void ComponentSolver::branch(double allowed_gap) {
+void ComponentSolver::branch() {
   state_.method = "branch and bound";
   bnb::Collaborators collaborators;
   collaborators.bound = [&](const Component& node, std::span<const double> warm, double cutoff) {
@@ -338,7 +340,7 @@ void ComponentSolver::branch(double allowed_gap) {
   limits.max_nodes = options_.branch.max_nodes - state_.nodes;
   limits.margin = precision_.margin;
   limits.error = precision_.error;
-  limits.gap = allowed_gap;
+  limits.gap = allowed_gap_;
   limits.deadline = deadline_;
   const bool coarse = limits.gap > limits.margin;
   const double cutoff = state_.best.cost - std::max(limits.margin, limits.gap);
@@ -394,9 +396,13 @@ bool ComponentSolver::covers_required(const Packing& packing) const {
   return std::find(missing.begin(), missing.end(), true) == missing.end();
 }
 
-bool ComponentSolver::close_enough(double allowed_gap) const {
-  return state_.complete ||
-         (allowed_gap > 0 && state_.best.cost - state_.lower <= allowed_gap + precision_.error);
+// No better packing is needed than one of this cost.
+double ComponentSolver::search_goal() const {
+  return state_.lower + allowed_gap_ + precision_.error;
+}
+
+bool ComponentSolver::close_enough() const {
+  return state_.complete || (allowed_gap_ > 0 && state_.best.cost <= search_goal());
 }
 
 }  // namespace nda::pipeline

@@ -109,16 +109,17 @@ class ComponentSolver {
   std::vector<core::ArcId> live_arcs() const;
   void accept_dual(relax::LagrangianResult result, const char* event);
   void accept_multipliers(std::vector<double> u, double certificate, const char* event);
-  void branch_and_cut(double allowed_gap);
+  void branch_and_cut();
   void adopt_multipliers(const core::Component& core, std::span<const double> core_u);
   core::Packing round(const core::Component& core, const cutting::Master& point) const;
-  void branch(double allowed_gap);
-  void close_gap(double allowed_gap);
-  Status reason_to_stop(double allowed_gap) const;
+  void branch();
+  void close_gap();
+  Status reason_to_stop() const;
   bool covers_required(const core::Packing& packing) const;
   bool offer(const core::Packing& packing, const char* event);
   void raise_bound(double lower, const char* event);
-  bool close_enough(double allowed_gap) const;
+  bool close_enough() const;
+  double search_goal() const;
   double cutoff() const { return state_.best.cost - precision_.margin; }
 
   const core::Component& component_;
@@ -134,8 +135,9 @@ class ComponentSolver {
   bool searched_ = false;
   bool searched_wide_ = false;
   int improvements_ = 0;
-  double certify_s_ = 0;  // what making multipliers feasible took
-  double dearest_ = 0;    // if any packing covers all required slots, one costs no more
+  double certify_s_ = 0;    // what making multipliers feasible took
+  double allowed_gap_ = 0;  // absolute, that ends the second stage
+  double dearest_ = 0;      // if any packing covers all required slots, one costs no more
   ComponentState state_;
 };
 

@@ -213,6 +213,13 @@ TEST(RestrictSlots, FollowsTheOriginOfEverySlot) {
     std::vector<double> extended(whole.num_slots(), 7.0);
     extend_slots(outer, once, whole, extended);
     EXPECT_EQ(restrict_slots(whole, extended, outer), once);
+    const std::vector<std::uint32_t> numbers = slots_in_part(whole, outer);
+    for (std::uint32_t slot = 0; slot < numbers.size(); ++slot) {
+      const double value = numbers[slot] != 0 ? once[numbers[slot]] : values[slot];
+      EXPECT_EQ(value, values[slot]);
+    }
+    EXPECT_EQ(std::count(numbers.begin(), numbers.end(), 0u),
+              static_cast<std::ptrdiff_t>(whole.num_slots() - outer.num_indices()));
     EXPECT_EQ(std::count(extended.begin(), extended.end(), 7.0),
               static_cast<std::ptrdiff_t>(whole.num_slots() - outer.num_indices()));
     ASSERT_EQ(direct.size(), inner.num_slots());

@@ -16,6 +16,14 @@ struct Outcome {
   double last_bound = -kInfinity;
 };
 
+// Circles offer packings of what they were cut to.
+double cost_in(const Component& whole, const Master& point, const Packing& packing) {
+  double cost = 0;
+  for (const core::ArcId a : packing.arcs)
+    cost += whole.costs[core::original_arc(point.component(), a)];
+  return cost;
+}
+
 Outcome search(const Component& component, double cutoff, std::int64_t max_nodes) {
   Outcome outcome;
   outcome.best.cost = cutoff;
@@ -23,8 +31,11 @@ Outcome search(const Component& component, double cutoff, std::int64_t max_nodes
   limits.cutoff = cutoff;
   limits.max_nodes = max_nodes;
   WideningObserver observer;
-  observer.offer = [&](const Master&, const Packing* packing) {
+  observer.offer = [&](const Master& point, const Packing* packing) {
     if (packing != nullptr && packing->cost < outcome.best.cost) outcome.best = *packing;
+    if (packing != nullptr) {
+      EXPECT_NEAR(cost_in(component, point, *packing), packing->cost, 1e-9);
+    }
     return outcome.best.cost - 1e-7;
   };
   observer.improve = [&](const Master&, double, double) { return outcome.best.cost - 1e-7; };
