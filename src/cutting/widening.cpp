@@ -106,6 +106,7 @@ class Widening {
     leaf.earn(kFirstLeafWork / static_cast<double>(component_.num_indices()));
     loop.leaf = &leaf;
     const auto round = [&](const Master& point) {
+      if (result_.lower == -kInfinity) observer_.relaxed(point);
       raise(point.lower());
       return offer_(point, nullptr);
     };

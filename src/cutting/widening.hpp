@@ -27,9 +27,11 @@ struct WideningObserver {
   /// A packing (arcs of the component), or null and a relaxed point to make one of.  Returns the
   /// cutoff from now on.
   PackingOffer offer;
-  /// A chance to look for better packings: when the first linear program and the search by its
-  /// multipliers did not end it, when many rounds of cuts did not, after every circle, and within
-  /// those that take long.  The first point has multipliers of indices only.  `work`
+  /// The first linear program, without cuts.
+  std::function<void(const Master& point)> relaxed;
+  /// A chance to look for better packings: when the first rounds of cuts and searches by their
+  /// multipliers did not end it, when more rounds did not, after every circle, and within those
+  /// that take long.  `work`
   /// (bnb::SlackLimits) is a share of what was done since the last call, `total` what was done for
   /// the bound in all.  Returns the cutoff from now on.
   std::function<double(Master& point, double work, double total)> improve;

@@ -53,6 +53,7 @@ core::Packing search_by_master(const core::Component& component,
   PoolSearchOptions pool;
   pool.max_work = options.max_work;
   pool.least_round_work = options.least_round_work;
+  pool.swap_work = options.swap_work;
   pool.goal = options.goal - slack.base();
   pool.support = core::positions_in(arcs, support(master));
   for (const core::Packing& other : others)

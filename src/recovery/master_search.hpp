@@ -14,6 +14,7 @@ struct MasterSearchOptions {
   std::size_t arcs_per_index = 20;  ///< the cheapest arcs only, so many times the indices
   double max_work = 0;              ///< of searches (PoolSearchOptions)
   double least_round_work = 0;      ///< PoolSearchOptions
+  double swap_work = 0;             ///< PoolSearchOptions
   double goal = -kInfinity;         ///< a packing this cheap ends the search
 };
 

@@ -6,6 +6,7 @@
 #include "core/component.hpp"
 #include "recovery/neighbourhood_search.hpp"
 #include "recovery/slack_packing.hpp"
+#include "recovery/swap_search.hpp"
 
 // Construct, merge, solve (Blum et al. 2016).  Neighbourhood search alone ends in packings that no
 // neighbourhood it can see through improves.  Others that started elsewhere are stuck as well, but
@@ -48,6 +49,7 @@ class PoolSearch {
   void run() {
     if (problem_.num_arcs() == 0) return;
     merge(options_.support);
+    if (options_.swap_work > 0) swap();
     for (int round = 0; !done(); ++round) {
       const bool fresh = round % kRoundsPerBest != 0 || next_start_ < options_.starts.size();
       Arcs packing = fresh ? construct() : best_;
@@ -64,6 +66,15 @@ class PoolSearch {
   }
 
  private:
+  void swap() {
+    SwapSearch::Limits limits;
+    limits.max_work = std::min(options_.swap_work, options_.max_work - work_);
+    limits.deadline = options_.deadline;
+    work_ +=
+        SwapSearch(problem_).run(limits, random_, [&](Arcs packing) { keep(std::move(packing)); });
+    merge_pool();
+  }
+
   double gap() const { return best_slack_ - std::max(0.0, options_.goal); }
 
   bool done() const {

@@ -30,6 +30,8 @@ constexpr double kWideGap = 0.02;
 constexpr double kHardWork = 2e7;  // for the bound: what it took already may take long
 constexpr double kWideRounds = 16;
 constexpr double kDiveShare = 0.15;  // of that work
+constexpr double kSwapShare = 0.25;
+constexpr double kLeastSwapWork = 2e7;
 
 }  // namespace
 
@@ -56,7 +58,6 @@ void ComponentSolver::improve(const Component& core,
                               double total) {
   std::vector<Packing> dives;
   if (++improvements_ == 1) {
-    adopt_multipliers(core, point.u());
     if (searched_) return;
     search(0);
     work = first_work();
@@ -98,8 +99,9 @@ void ComponentSolver::search_by_master(const Component& core,
   if (!may_search()) return;
   const Packing start{core::positions_in(live, state_.best.arcs), state_.best.cost};
   recovery::MasterSearchOptions search;
-  search.max_work = work;
   search.least_round_work = others.empty() ? 0.0 : work / kWideRounds;
+  search.swap_work = is_wide() ? std::max(kLeastSwapWork, kSwapShare * work) : 0.0;
+  search.max_work = work + search.swap_work;
   search.goal = search_goal();
   core::Random random(seed_ + static_cast<std::uint64_t>(improvements_));
   const Packing found =

@@ -214,6 +214,7 @@ void ComponentSolver::branch_and_cut() {
     offer(packing, "branch and cut");
     return goal();
   };
+  observer.relaxed = [&](const cutting::Master& point) { adopt_multipliers(core, point.u()); };
   observer.improve = [&](cutting::Master& point, double work, double total) {
     improve(core, live, point, work, total);
     return goal();
