@@ -1,6 +1,7 @@
 #include "core/component.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "core/slices.hpp"
@@ -79,6 +80,12 @@ Component whole_problem(const Problem& problem, const Shift& shift, const Deadli
   };
   if (!for_each_until(deadline, problem.num_arcs(), copy_cost)) return {};
   return component;
+}
+
+std::vector<ArcId> all_arcs(const Component& component) {
+  std::vector<ArcId> arcs(component.num_arcs());
+  std::iota(arcs.begin(), arcs.end(), 0u);
+  return arcs;
 }
 
 std::vector<ArcId> positions_in(std::span<const ArcId> ascending, std::span<const ArcId> arcs) {

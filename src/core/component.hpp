@@ -126,6 +126,9 @@ inline ArcId original_arc(const Component& component, ArcId a) {
   return component.arc_origin.empty() ? a : component.arc_origin[a];
 }
 
+/// 0..num_arcs-1.
+std::vector<ArcId> all_arcs(const Component& component);
+
 /// Where these arcs stand in an ascending list, in their order; those not in it are left out.
 std::vector<ArcId> positions_in(std::span<const ArcId> ascending, std::span<const ArcId> arcs);
 

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <vector>
 
-#include "bnb/component_gains.hpp"
+#include "bnb/cover.hpp"
 #include "bnb/slack_search.hpp"
 #include "cutting/master_slack.hpp"
 
@@ -79,7 +79,10 @@ bool LeafSearch::search_slack(const Master& master, double& cutoff) {
     const bnb::SlackResult result = bnb::search_slack(slack.problem(arcs), budget, limits);
     nodes_ += result.nodes;
     work += result.work;
-    if (result.slack < kInfinity) lower(master, core::at_positions(arcs, result.arcs), cutoff);
+    if (result.slack < kInfinity) {
+      std::vector<ArcId> found = core::at_positions(arcs, result.arcs);
+      lower(master, core::make_packing(component_, std::move(found)), cutoff);
+    }
     failed_budget_ = std::max(budget, kFailedShare * gap);
     if (!result.complete) return false;
     if (!(result.slack < budget) && budget < gap) continue;
@@ -89,8 +92,7 @@ bool LeafSearch::search_slack(const Master& master, double& cutoff) {
 }
 
 // Offers a packing, if it is cheaper than the cutoff.
-void LeafSearch::lower(const Master& master, std::vector<ArcId> arcs, double& cutoff) const {
-  const core::Packing packing = core::make_packing(component_, std::move(arcs));
+void LeafSearch::lower(const Master& master, const core::Packing& packing, double& cutoff) const {
   if (packing.cost < cutoff) cutoff = offer_(master, &packing);
 }
 
@@ -105,15 +107,14 @@ bool LeafSearch::cover(const Master& master, double& cutoff) {
 
 bool LeafSearch::search_cliques(const Master& master, double& cutoff) {
   const std::vector<double> u = demands(component_, master);
-  const bnb::ComponentGains gains = bnb::gains_over(component_, allowed(master), u);
   bnb::CliqueLimits limits;
   limits.deadline = limits_.deadline;
   limits.max_work = credit_;
   limits.max_nodes = limits_.max_nodes - nodes_;
-  const bnb::CliqueResult result = bnb::search_cliques(gains.problem, gains.base - cutoff, limits);
+  const bnb::SearchResult result = bnb::cover(component_, allowed(master), u, cutoff, limits);
   nodes_ += result.nodes;
-  if (!result.arcs.empty()) lower(master, core::at_positions(gains.arcs, result.arcs), cutoff);
-  if (!result.complete || gains.base - result.most < cutoff) return false;
+  if (result.found) lower(master, result.best, cutoff);
+  if (!result.complete || result.lower < cutoff) return false;
   if (limits_.proof != nullptr) limits_.proof->cliques(u, cutoff);
   return true;
 }

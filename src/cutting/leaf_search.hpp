@@ -71,7 +71,7 @@ class LeafSearch {
   bool is_worth_trying(const Master& master, double cutoff) const;
   bool search_slack(const Master& master, double& cutoff);
   bool search_cliques(const Master& master, double& cutoff);
-  void lower(const Master& master, std::vector<core::ArcId> arcs, double& cutoff) const;
+  void lower(const Master& master, const core::Packing& packing, double& cutoff) const;
 
   const core::Component& component_;
   const LeafLimits limits_;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 #include "cutting/branch_and_cut.hpp"
 #include "cutting/cut_loop.hpp"
@@ -38,12 +37,6 @@ constexpr double kMostCoverWork = 1e9;
 // Rounds of cuts before the first, the second call for better packings, and after that.
 constexpr std::array<int, 4> kRounds = {3, 8, 30, 200};
 
-std::vector<ArcId> all_arcs(const core::Component& component) {
-  std::vector<ArcId> arcs(component.num_arcs());
-  std::iota(arcs.begin(), arcs.end(), 0u);
-  return arcs;
-}
-
 // What a cut says of arcs that use no other than these slots; 0 = not among them.
 Cut restrict_cut(const Cut& cut, std::span<const std::uint32_t> slots) {
   Cut restricted{{}, {}, cut.divisor};
@@ -65,7 +58,7 @@ class Widening {
         limits_(limits),
         observer_(observer),
         cutoff_(limits.cutoff),
-        master_(component, all_arcs(component), u),
+        master_(component, core::all_arcs(component), u),
         proof_size_(limits.proof == nullptr ? 0 : limits.proof->size()) {}
 
   WideningResult run() {
@@ -132,7 +125,8 @@ class Widening {
       if (master_.lower() + master_.reduced_cost(a) < target) near.push_back(a);
     }
     const core::Component within = cutter_.cut(component_, near);
-    Master circle(within, all_arcs(within), core::restrict_slots(component_, master_.u(), within));
+    Master circle(
+        within, core::all_arcs(within), core::restrict_slots(component_, master_.u(), within));
     const std::vector<std::uint32_t> slots = core::slots_in_part(component_, within);
     for (const CutRow& row : master_.cuts()) circle.add(restrict_cut(row.cut, slots));
     if (limits_.proof != nullptr) {

@@ -1,9 +1,8 @@
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
-#include "bnb/component_gains.hpp"
 #include "bnb/component_slack.hpp"
+#include "bnb/cover.hpp"
 #include "bnb/enumerate.hpp"
 #include "solve/component_solver.hpp"
 
@@ -55,20 +54,15 @@ void ComponentSolver::enumerate() {
 void ComponentSolver::search_cliques() {
   if (component_.num_arcs() > kCliqueArcsPerExactArc * options_.branch.exact_arcs) return;
   state_.method = "clique search";
-  std::vector<ArcId> all(component_.num_arcs());
-  std::iota(all.begin(), all.end(), 0u);
-  const std::vector<double> u(component_.num_slots(), 0.0);
-  const bnb::ComponentGains gains = bnb::gains_over(component_, all, u);
   bnb::CliqueLimits limits;
   limits.max_nodes = options_.branch.max_nodes - state_.nodes;
   limits.max_work = kEarlyCliqueWork;
   limits.deadline = deadline_;
-  const bnb::CliqueResult result = bnb::search_cliques(gains.problem, -cutoff(), limits);
+  const std::vector<double> none(component_.num_slots(), 0.0);
+  const bnb::SearchResult result =
+      bnb::cover(component_, core::all_arcs(component_), none, cutoff(), limits);
   state_.nodes += result.nodes;
-  if (!result.arcs.empty()) {
-    std::vector<ArcId> arcs = core::at_positions(gains.arcs, result.arcs);
-    offer(core::make_packing(component_, std::move(arcs)), "clique search");
-  }
+  if (result.found) offer(result.best, "clique search");
   if (!result.complete) return;
   searched_cliques_ = true;
   settle_best(state_.u, kEvaluationsAfterCliques, "clique search");

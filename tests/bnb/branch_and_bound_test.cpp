@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "decompose/components.hpp"
 #include "decompose/reduced_cost_fixing.hpp"
@@ -48,12 +47,6 @@ NodeBound know_the_best_packing(const Component& component,
     if (packing.cost < bound.packing.cost) bound.packing = packing;
   }
   return bound;
-}
-
-std::vector<ArcId> all_arcs(const Component& component) {
-  std::vector<ArcId> arcs(component.num_arcs());
-  std::iota(arcs.begin(), arcs.end(), 0u);
-  return arcs;
 }
 
 // Adds the connected parts of `arcs`, or these arcs as one part.

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <numeric>
 #include <span>
 #include <vector>
 
@@ -10,12 +9,6 @@
 #include "support/components.hpp"
 
 namespace nda::cutting {
-
-inline std::vector<core::ArcId> all_arcs(const core::Component& component) {
-  std::vector<core::ArcId> arcs(component.num_arcs());
-  std::iota(arcs.begin(), arcs.end(), 0u);
-  return arcs;
-}
 
 inline std::vector<double> no_multipliers(const core::Component& component) {
   return std::vector<double>(component.num_slots(), 0.0);
