@@ -93,6 +93,44 @@ TEST(Precision, OfIntegersIsExact) {
   }
 }
 
+// The same problem with an index more that costs so much that all costs sum up to 0.
+Problem balanced(const Problem& problem, double cost) {
+  std::vector<Index> sizes(problem.sizes().begin(), problem.sizes().end());
+  ++sizes[0];
+  ProblemBuilder builder(sizes);
+  for (std::size_t a = 0; a < problem.num_arcs(); ++a)
+    builder.add_arc(problem.arc(a), problem.costs()[a]);
+  for (int k = 0; k < problem.num_dimensions(); ++k) {
+    for (Index i = 1; i <= problem.size(k); ++i) {
+      std::vector<Index> tuple(sizes.size(), 0);
+      tuple[static_cast<std::size_t>(k)] = i;
+      builder.add_arc(tuple, problem.singleton_costs(k)[i]);
+    }
+  }
+  std::vector<Index> last(sizes.size(), 0);
+  last[0] = sizes[0];
+  builder.add_arc(last, -cost);
+  return std::move(builder).build();
+}
+
+TEST(Precision, OfACostOfZeroIsExact) {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE(seed);
+    support::RandomProblemOptions options;
+    options.sizes = {5, 5, 5};
+    options.num_arcs = 60;
+    options.costs = support::CostKind::kInteger;
+    const Problem problem = support::random_problem(seed, options);
+    const Problem zero = balanced(problem, solve(problem).cost);
+    const Solution solution = solve(zero);
+    EXPECT_EQ(solution.status, Status::kOptimal);
+    EXPECT_EQ(solution.cost, 0);
+    EXPECT_EQ(solution.lower_bound, 0);
+    EXPECT_THAT(check(zero, solution).faults, IsEmpty());
+    if (HasFailure()) return;
+  }
+}
+
 // Forbidden singletons are charged a penalty as large as all costs together; on a grid that hides
 // nothing.
 TEST(Precision, OfAGridIsNotLostToThePenalty) {
