@@ -1,7 +1,10 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 namespace nda::core {
 
@@ -49,5 +52,11 @@ class Random {
   static std::uint64_t rotate(std::uint64_t x, int k) { return (x << k) | (x >> (64 - k)); }
   std::array<std::uint64_t, 4> state_;
 };
+
+/// Fisher-Yates; `draw.below(n)` is uniform in 0..n-1.
+template <typename T, typename Draw>
+void shuffle(std::vector<T>& values, Draw& draw) {
+  for (std::size_t n = values.size(); n > 1; --n) std::swap(values[n - 1], values[draw.below(n)]);
+}
 
 }  // namespace nda::core

@@ -238,7 +238,7 @@ std::vector<ViolatedCut> Separator::search(const Pattern& pattern,
   chosen_.assign(pattern.weights.size(), kNone);
   std::vector<std::uint32_t> seeds(num_rows());
   std::iota(seeds.begin(), seeds.end(), 0u);
-  for (std::size_t k = seeds.size(); k > 1; --k) std::swap(seeds[k - 1], seeds[random_.below(k)]);
+  core::shuffle(seeds, random_);
   const std::size_t patience = (kPatience + seeds.size() / 8) * effort.patience;
   const std::size_t enough = kEnough + seeds.size() / 4;
   std::size_t fruitless = 0;

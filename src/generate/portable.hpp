@@ -60,7 +60,7 @@ class Draw {
   /// Fisher-Yates.
   template <typename T>
   void shuffle(std::vector<T>& values) {
-    for (std::size_t n = values.size(); n > 1; --n) std::swap(values[n - 1], values[below(n)]);
+    core::shuffle(values, *this);
   }
 
   /// `count` distinct numbers of 0..total-1, ascending; count <= total.  O(count log count)

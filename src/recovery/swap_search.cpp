@@ -103,7 +103,7 @@ void SwapSearch::start(core::Random& random) {
   total_ = 0;
   std::vector<std::uint32_t> order(arcs_.size());
   std::iota(order.begin(), order.end(), 0u);
-  for (std::size_t k = order.size(); k > 1; --k) std::swap(order[k - 1], order[random.below(k)]);
+  core::shuffle(order, random);
   for (const std::uint32_t n : order) {
     const auto rivals = rivals_[n];
     if (std::none_of(rivals.begin(), rivals.end(), [&](auto r) { return is_member_[r] != 0; }))

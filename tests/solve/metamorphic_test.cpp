@@ -9,6 +9,7 @@
 #include "nda/check.hpp"
 #include "nda/solve.hpp"
 #include "support/random_problems.hpp"
+#include "support/rebuilt.hpp"
 
 // What must happen to the optimum when the problem is changed in a way that is understood.  No
 // other solver is asked, so the problems may be larger than enumeration could judge.
@@ -17,35 +18,14 @@ namespace nda {
 namespace {
 
 using core::Random;
-using Tuple = std::vector<Index>;
-using Change = std::function<void(Tuple&, double&)>;
-
-// All arcs and singletons of a problem, changed one by one, as a new problem.
-Problem rebuilt(const Problem& problem, std::vector<Index> sizes, const Change& change) {
-  ProblemBuilder builder(std::move(sizes));
-  const auto add = [&](Tuple tuple, double cost) {
-    change(tuple, cost);
-    builder.add_arc(tuple, cost);
-  };
-  for (std::size_t a = 0; a < problem.num_arcs(); ++a) add(problem.arc(a), problem.costs()[a]);
-  for (int k = 0; k < problem.num_dimensions(); ++k) {
-    for (Index i = 1; i <= problem.size(k); ++i) {
-      Tuple tuple(problem.sizes().size(), 0);
-      tuple[static_cast<std::size_t>(k)] = i;
-      add(std::move(tuple), problem.singleton_costs(k)[i]);
-    }
-  }
-  return std::move(builder).build();
-}
-
-std::vector<Index> sizes_of(const Problem& problem) {
-  return {problem.sizes().begin(), problem.sizes().end()};
-}
+using support::rebuilt;
+using support::sizes_of;
+using support::Tuple;
 
 std::vector<Index> random_permutation(std::size_t n, Random& random) {
   std::vector<Index> order(n);
   std::iota(order.begin(), order.end(), 0u);
-  for (std::size_t i = n; i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
+  core::shuffle(order, random);
   return order;
 }
 

@@ -11,6 +11,7 @@
 #include "support/brute_force.hpp"
 #include "support/components.hpp"
 #include "support/random_problems.hpp"
+#include "support/rebuilt.hpp"
 #include "support/tiny_problems.hpp"
 
 namespace nda {
@@ -93,24 +94,12 @@ TEST(Precision, OfIntegersIsExact) {
   }
 }
 
-// The same problem with an index more that costs so much that all costs sum up to 0.
-Problem balanced(const Problem& problem, double cost) {
-  std::vector<Index> sizes(problem.sizes().begin(), problem.sizes().end());
-  ++sizes[0];
-  ProblemBuilder builder(sizes);
-  for (std::size_t a = 0; a < problem.num_arcs(); ++a)
-    builder.add_arc(problem.arc(a), problem.costs()[a]);
-  for (int k = 0; k < problem.num_dimensions(); ++k) {
-    for (Index i = 1; i <= problem.size(k); ++i) {
-      std::vector<Index> tuple(sizes.size(), 0);
-      tuple[static_cast<std::size_t>(k)] = i;
-      builder.add_arc(tuple, problem.singleton_costs(k)[i]);
-    }
-  }
-  std::vector<Index> last(sizes.size(), 0);
-  last[0] = sizes[0];
-  builder.add_arc(last, -cost);
-  return std::move(builder).build();
+// Whatever uses index 1 of the first dimension costs less, so that the optimum is 0.
+Problem balanced(const Problem& problem, double optimum) {
+  return support::rebuilt(
+      problem, support::sizes_of(problem), [&](support::Tuple& tuple, double& cost) {
+        if (tuple[0] == 1) cost -= optimum;
+      });
 }
 
 TEST(Precision, OfACostOfZeroIsExact) {

@@ -186,9 +186,7 @@ class PlantedPacking : public dual::CoordinateFunction {
     for (std::size_t k = 0; k < relaxed_; ++k) {
       std::vector<std::size_t> order(size_);
       std::iota(order.begin(), order.end(), k * size_);
-      for (std::size_t i = size_; i > 1; --i) {
-        std::swap(order[i - 1], order[static_cast<std::size_t>(random.below(i))]);
-      }
+      core::shuffle(order, random);
       for (std::size_t i = 0; i < size_; ++i) {
         Block& block = arcs_[i];
         block.variables.resize(block.costs.size() * relaxed_);

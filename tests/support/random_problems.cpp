@@ -69,7 +69,7 @@ void plant(Random& random, const RandomProblemOptions& options, ProblemBuilder& 
   for (std::size_t k = 0; k < options.sizes.size(); ++k) {
     std::vector<Index> permutation(rows, 0);
     for (Index i = 0; i < options.sizes[k]; ++i) permutation[i] = i + 1;
-    for (Index r = rows; r > 1; --r) std::swap(permutation[r - 1], permutation[random.below(r)]);
+    core::shuffle(permutation, random);
     for (Index r = 0; r < rows; ++r) tuples[r][k] = permutation[r];
   }
   for (const std::vector<Index>& tuple : tuples) {
