@@ -15,9 +15,7 @@ namespace {
 using core::ArcId;
 
 constexpr double kShrunk = 0.75;
-// Of the gap: the first budget, and the least for which success is hoped.
-constexpr double kFirstShare = 0x1p-3;
-constexpr double kFailedShare = 0x1p-3;
+constexpr double kFirstShare = 0.125;  // of the gap
 // Over many indices a search whose budget is a small part of the gap may only take a part of the
 // credit: what fails early would have failed late.
 constexpr double kFewIndices = 4000;
@@ -83,7 +81,7 @@ bool LeafSearch::search_slack(const Master& master, double& cutoff) {
       std::vector<ArcId> found = core::at_positions(arcs, result.arcs);
       lower(master, core::make_packing(component_, std::move(found)), cutoff);
     }
-    failed_budget_ = std::max(budget, kFailedShare * gap);
+    failed_budget_ = budget;
     if (!result.complete) return false;
     if (!(result.slack < budget) && budget < gap) continue;
     if (limits_.proof != nullptr) limits_.proof->search(master, slack.u(), cutoff);

@@ -34,7 +34,7 @@ constexpr double kFirstLeafWork = 4e8;
 // A sixteenth of what a checker does for a proof, since the search may take that many times as
 // long.
 constexpr double kMostCoverWork = 1e9;
-// Rounds of cuts before the first, the second call for better packings, and after that.
+// Rounds of cuts before each call for better packings, and after the last one.
 constexpr std::array<int, 4> kRounds = {3, 8, 30, 200};
 
 // What a cut says of arcs that use no other than these slots; 0 = not among them.

@@ -31,9 +31,8 @@ struct WideningObserver {
   std::function<void(const Master& point)> relaxed;
   /// A chance to look for better packings: when the first rounds of cuts and searches by their
   /// multipliers did not end it, when more rounds did not, after every circle, and within those
-  /// that take long.  `work`
-  /// (bnb::SlackLimits) is a share of what was done since the last call, `total` what was done for
-  /// the bound in all.  Returns the cutoff from now on.
+  /// that take long.  `work` (bnb::SlackLimits) is a share of what was done since the last call,
+  /// `total` what was done for the bound in all.  Returns the cutoff from now on.
   std::function<double(Master& point, double work, double total)> improve;
   /// No packing is cheaper than `lower`.
   std::function<void(double lower)> raise;

@@ -72,9 +72,9 @@ class LinearProgram {
 
  private:
   void hand_over();
-  void choose_scaling();
   void hand_over_rows();
   void hand_over_columns();
+  void choose_scaling();
   template <typename Algorithm>
   Outcome run(const core::Deadline& deadline,
               double objective_limit,

@@ -49,7 +49,7 @@ class PoolSearch {
   void run() {
     if (problem_.num_arcs() == 0) return;
     merge(options_.support);
-    if (options_.swap_work > 0) swap();
+    if (options_.swap_work > 0 && !done()) swap();
     for (int round = 0; !done(); ++round) {
       const bool fresh = round % kRoundsPerBest != 0 || next_start_ < options_.starts.size();
       Arcs packing = fresh ? construct() : best_;

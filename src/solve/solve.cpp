@@ -369,9 +369,8 @@ class Pipeline {
       solution.lower_bound = std::min(solution.lower_bound, solution.cost);
       // Where the certificate meets the cost by itself, what branching adds is mere rounding; but
       // an exact bound on a cost of 0 is more than a small difference.
-      const double open = solution.cost - certificate;
-      const bool exact = solution.lower_bound == solution.cost && solution.cost == 0;
-      if (open <= 0 || (!exact && negligible(open, solution.cost)))
+      const bool is_zero = solution.cost == 0 && solution.lower_bound == 0;
+      if (!is_zero && negligible(solution.cost - certificate, solution.cost))
         solution.lower_bound = certificate;
     }
     solution.stats.bound_by_branching = solution.lower_bound > certificate;

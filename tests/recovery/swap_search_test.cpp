@@ -42,7 +42,7 @@ TEST(SwapSearch, FindsTheBestPackingOfSmallComponents) {
   }
 }
 
-// One start in packings drawn at random, swaps in none: of a dense component the first are bad.
+// Work of 1 ends with the random packing of the first start, which is bad where arcs are many.
 TEST(SwapSearch, GetsBetterWithMoreWork) {
   support::RandomComponentOptions options;
   options.sizes = {15, 15, 15, 15};
