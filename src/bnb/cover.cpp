@@ -44,6 +44,7 @@ SearchResult cover(const core::Component& component,
   const CliqueResult found = search_cliques(gains.problem, base - cutoff, limits);
   SearchResult result;
   result.nodes = found.nodes;
+  result.work = found.work;
   result.complete = found.complete;
   if (found.complete) result.lower = base - found.most;
   result.found = !found.arcs.empty();

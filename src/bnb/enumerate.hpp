@@ -16,6 +16,7 @@ struct SearchResult {
       false;  ///< best is the optimum; or, if not found, no packing is cheaper than the cutoff
   double lower = -kInfinity;  ///< every packing costs at least min(lower, cutoff)
   std::int64_t nodes = 0;
+  double work = 0;  ///< in the units of SlackLimits
 };
 
 /// Enumerates the packings of a component cheaper than `cutoff`, without any relaxation: by

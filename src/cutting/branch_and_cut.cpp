@@ -38,6 +38,7 @@ BranchAndCutResult BranchAndCut::run() {
   result.exhaustive = exhaustive_;
   result.nodes = num_nodes();
   result.tree_nodes = tree_nodes_;
+  result.work = work();
   return result;
 }
 
@@ -56,7 +57,7 @@ double BranchAndCut::explore(int depth, double inherited) {
     cutoff_ = offer_(master_, &found);
     return close(lower);
   }
-  if (limits_.pause) cutoff_ = limits_.pause(num_nodes());
+  if (limits_.pause) cutoff_ = limits_.pause(num_nodes(), work());
   if (lower >= cutoff_) return close(lower);
   const Choice choice = choose();
   const bool together_first = choice.together <= choice.apart;
@@ -83,6 +84,7 @@ CutLoopEnd BranchAndCut::tighten(int depth) {
   loop.proof = limits_.proof;
   loop.worthwhile = kWorthwhile;
   loop.deadline = limits_.deadline;
+  loop.work = &search_work_;
   const PackingOffer offer = [&](const Master& master, const core::Packing* packing) {
     return cutoff_ = offer_(master, packing);
   };
@@ -106,6 +108,10 @@ LeafLimits BranchAndCut::leaf_limits() const {
   limits.deadline = limits_.deadline;
   limits.proof = limits_.proof;
   return limits;
+}
+
+double BranchAndCut::work() const {
+  return work_of_pivots(master_.simplex_iterations(), component_.num_slots()) + search_work_;
 }
 
 // Nodes that a limit leaves unexplored.

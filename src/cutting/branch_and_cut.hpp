@@ -22,9 +22,9 @@ struct BranchAndCutLimits {
   double leaf_work = LeafLimits{}.max_work;  ///< LeafLimits::max_work of a node
   core::Deadline deadline;
   ProofLog* proof = nullptr;  ///< where to write down the tree; whole if the search is exhaustive
-  /// Called before every branching with the nodes so far, a chance to look for better packings
-  /// elsewhere; returns the cutoff from now on.  May be empty.
-  std::function<double(std::int64_t nodes)> pause;
+  /// Called before every branching with the nodes and the work so far, a chance to look for better
+  /// packings elsewhere; returns the cutoff from now on.  May be empty.
+  std::function<double(std::int64_t nodes, double work)> pause;
 };
 
 /// What came out of branch and cut.
@@ -34,6 +34,7 @@ struct BranchAndCutResult {
   bool exhaustive = true;       ///< no node was left unexplored
   std::int64_t nodes = 0;       ///< those of searches included
   std::int64_t tree_nodes = 0;  ///< without them
+  double work = 0;              ///< (bnb::SlackLimits)
 };
 
 /// Branch and cut over the live arcs of `master`: bounds by its linear relaxation, tightened by
@@ -77,6 +78,7 @@ class BranchAndCut {
   double explore_apart(const Pair& pair, int depth, double inherited);
   bool uses(core::ArcId a, std::uint32_t slot) const;
   bool stopped() const { return num_nodes() >= limits_.max_nodes || limits_.deadline.reached(); }
+  double work() const;
   std::int64_t num_nodes() const { return tree_nodes_ + search_nodes_; }
   double leave(double lower);
 
@@ -89,6 +91,7 @@ class BranchAndCut {
   PackingOffer offer_;
   std::int64_t tree_nodes_ = 0;
   std::int64_t search_nodes_ = 0;
+  double search_work_ = 0;  // of separation, too
   core::Pause leaf_pause_{kLongestLeafPause};
   core::Pause clique_pause_{kLongestLeafPause};
   bool exhaustive_ = true;

@@ -60,6 +60,13 @@ class Separation {
   std::vector<core::Pause> pauses_;
 };
 
+bool search(LeafSearch& leaf, const Master& master, double& cutoff, double* work) {
+  const double before = leaf.work();
+  const bool ended = leaf(master, cutoff);
+  if (work != nullptr) *work += leaf.work() - before;
+  return ended;
+}
+
 }  // namespace
 
 CutLoopEnd run_cut_loop(const core::Component& component,
@@ -90,7 +97,8 @@ CutLoopEnd run_cut_loop(const core::Component& component,
     last_lower = master.lower();
     if (options.fix && master.fix(cutoff) && options.proof != nullptr)
       options.proof->fix(master, cutoff);
-    if (options.leaf != nullptr && (*options.leaf)(master, cutoff)) return CutLoopEnd::kSearched;
+    if (options.leaf != nullptr && search(*options.leaf, master, cutoff, options.work))
+      return CutLoopEnd::kSearched;
     master.drop_idle(kMostIdle);
     Separator separator(component, master.arcs(), master.values());
     if (separator.integral()) return CutLoopEnd::kIntegral;
@@ -107,6 +115,7 @@ CutLoopEnd run_cut_loop(const core::Component& component,
       cuts = separate(separator, stage, kThorough);
     }
     if (options.leaf != nullptr) options.leaf->earn(separator.work());
+    if (options.work != nullptr) *options.work += separator.work();
     keep_best(cuts, std::max(kLeastCuts, component.num_indices() / 5));
     for (const ViolatedCut& violated : cuts) master.add(violated.cut);
   }

@@ -31,6 +31,8 @@ struct CutLoopOptions {
   bool fix = true;             ///< drop arcs for good; not below a branching
   ProofLog* proof = nullptr;   ///< where to write down what was dropped
   LeafSearch* leaf = nullptr;  ///< what may end the node; may be null
+  /// Where to add the work of separation and of `leaf` (bnb::SlackLimits); may be null.
+  double* work = nullptr;
   core::Deadline deadline;
 };
 

@@ -77,6 +77,7 @@ bool LeafSearch::search_slack(const Master& master, double& cutoff) {
     const bnb::SlackResult result = bnb::search_slack(slack.problem(arcs), budget, limits);
     nodes_ += result.nodes;
     work += result.work;
+    work_ += result.work;
     if (result.slack < kInfinity) {
       std::vector<ArcId> found = core::at_positions(arcs, result.arcs);
       lower(master, core::make_packing(component_, std::move(found)), cutoff);
@@ -111,6 +112,7 @@ bool LeafSearch::search_cliques(const Master& master, double& cutoff) {
   limits.max_nodes = limits_.max_nodes - nodes_;
   const bnb::SearchResult result = bnb::cover(component_, allowed(master), u, cutoff, limits);
   nodes_ += result.nodes;
+  work_ += result.work;
   if (result.found) lower(master, result.best, cutoff);
   if (!result.complete || result.lower < cutoff) return false;
   if (limits_.proof != nullptr) limits_.proof->cliques(u, cutoff);

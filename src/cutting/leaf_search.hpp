@@ -66,6 +66,7 @@ class LeafSearch {
   void earn(double work) { credit_ += work; }
 
   std::int64_t nodes() const { return nodes_; }
+  double work() const { return work_; }  ///< of all searches
 
  private:
   bool is_worth_trying(const Master& master, double cutoff) const;
@@ -84,6 +85,7 @@ class LeafSearch {
   double failed_budget_ = kInfinity;
   double failed_lower_ = kInfinity;
   std::int64_t nodes_ = 0;
+  double work_ = 0;
 };
 
 }  // namespace nda::cutting

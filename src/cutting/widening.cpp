@@ -17,11 +17,12 @@ namespace {
 using core::ArcId;
 
 constexpr double kFirstReach = 0.125;  // of the gap
+constexpr double kLeastLeft = 0.05;    // of the gap, beyond a circle
 constexpr double kWidenFast = 2;
 constexpr double kWidenSlowly = 1.5;
 constexpr std::int64_t kFewNodes = 15;
-constexpr double kPrimalShare = 2;  // at first, of the work of pivots: separation is as dear
-constexpr double kLeastPrimalShare = 0.25;
+constexpr double kPrimalShare = 1;  // at first, of the work for bounds
+constexpr double kLeastPrimalShare = 0.125;
 // Where less than this part of the first gap is left, the circles will find the best packing soon.
 constexpr double kOpen = 8;
 // Between two calls for better packings within a tree; at least half of all before, so that there
@@ -33,6 +34,7 @@ constexpr double kPauseShare = 0.5;
 constexpr double kFirstLeafWork = 4e8;
 // A sixteenth of what a checker does for a proof, since the search may take that many times as
 // long.
+constexpr double kCoverShare = 0.05;
 constexpr double kMostCoverWork = 1e9;
 // Rounds of cuts before each call for better packings, and after the last one.
 constexpr std::array<int, 4> kRounds = {3, 8, 30, 200};
@@ -91,6 +93,7 @@ class Widening {
     loop.thorough = true;
     loop.deadline = limits_.deadline;
     loop.proof = limits_.proof;
+    loop.work = &own_work_;
     LeafLimits leaf_limits;
     leaf_limits.max_nodes = limits_.max_nodes - result_.nodes;
     leaf_limits.deadline = limits_.deadline;
@@ -119,7 +122,7 @@ class Widening {
 
   // All packings cheaper than `target`.  Returns whether there is more to do.
   bool search(double target) {
-    target = std::min(target, cutoff_);
+    if (target > cutoff_ - kLeastLeft * (cutoff_ - master_.lower())) target = cutoff_;
     std::vector<ArcId> near;
     for (const ArcId a : master_.live()) {
       if (master_.lower() + master_.reduced_cost(a) < target) near.push_back(a);
@@ -139,9 +142,9 @@ class Widening {
     limits.root_patterns = kAllPatterns;
     limits.deadline = limits_.deadline;
     limits.proof = limits_.proof;
-    limits.pause = [&](std::int64_t nodes) {
-      if (is_improvement_due(circle.simplex_iterations())) {
-        improve(circle.simplex_iterations());
+    limits.pause = [&](std::int64_t nodes, double work) {
+      if (is_improvement_due(work)) {
+        improve(work);
         const std::int64_t before = result_.nodes;
         if (cover(nodes)) return -kInfinity;
         limits.max_nodes -= result_.nodes - before;
@@ -157,7 +160,7 @@ class Widening {
     if (limits_.proof != nullptr) limits_.proof->enter(component_);
     result_.nodes += found.nodes;
     last_tree_nodes_ = found.tree_nodes;
-    circle_pivots_ += circle.simplex_iterations();
+    own_work_ += found.work;
     exhaustive_ = found.exhaustive && target >= cutoff_;
     raise(std::min({found.lower, target, cutoff_}));
     return found.complete && result_.lower < cutoff_;
@@ -170,39 +173,39 @@ class Widening {
     limits.max_nodes = limits_.max_nodes - result_.nodes - running;
     limits.deadline = limits_.deadline;
     LeafSearch leaf(component_, limits, 0, offer_);
-    leaf.earn(std::min(bound_work_, kMostCoverWork));
+    leaf.earn(std::min(kCoverShare * bound_work_, kMostCoverWork));
     covered_ = leaf.cover(master_, cutoff_);
     result_.nodes += leaf.nodes();
+    own_work_ += leaf.work();
     if (covered_) raise(cutoff_);
     return covered_;
   }
 
   // Better packings get a share of the time that bounds got; a smaller one when none was found.
-  // `running`: pivots of the circle that is being searched.
-  double improve(std::int64_t running) {
-    const double new_work = work_since_improve(running);
-    bound_work_ += new_work;
+  // `running`: work of the circle that is being searched.
+  double improve(double running) {
+    const double now = work(running);
+    const double new_work = now - bound_work_;
+    bound_work_ = now;
     const double before = cutoff_;
     const double gap = before - master_.lower();
     if (first_gap_ == kInfinity) first_gap_ = gap;
     const double open = std::min(1.0, kOpen * gap / first_gap_);
     cutoff_ = observer_.improve(master_, open * primal_share_ * new_work, bound_work_);
-    pivots_at_improve_ = pivots(running);
+    own_work_ -= work(running) - now;  // pivots of dives
     primal_share_ =
         cutoff_ < before ? kPrimalShare : std::max(kLeastPrimalShare, primal_share_ / 2);
     return cutoff_;
   }
 
-  bool is_improvement_due(std::int64_t running) const {
-    return work_since_improve(running) >= std::max(kLeastPauseWork, kPauseShare * bound_work_);
+  bool is_improvement_due(double running) const {
+    return work(running) - bound_work_ >= std::max(kLeastPauseWork, kPauseShare * bound_work_);
   }
 
-  double work_since_improve(std::int64_t running) const {
-    return work_of_pivots(pivots(running) - pivots_at_improve_, component_.num_slots());
-  }
-
-  std::int64_t pivots(std::int64_t running) const {
-    return master_.simplex_iterations() + circle_pivots_ + running;
+  // For bounds.
+  double work(double running) const {
+    return work_of_pivots(master_.simplex_iterations(), component_.num_slots()) + own_work_ +
+           running;
   }
 
   void raise(double lower) {
@@ -226,9 +229,8 @@ class Widening {
   double primal_share_ = kPrimalShare;
   double first_gap_ = kInfinity;  // at the first call for better packings
   std::int64_t last_tree_nodes_ = 0;
-  std::int64_t circle_pivots_ = 0;  // of all circles
-  std::int64_t pivots_at_improve_ = 0;
-  double bound_work_ = 0;  // of pivots up to then
+  double own_work_ = 0;    // of searches and separation, and of all circles
+  double bound_work_ = 0;  // work() at the last call for better packings
   WideningResult result_;
 };
 

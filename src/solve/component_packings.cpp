@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/random.hpp"
 #include "cutting/dive.hpp"
@@ -26,12 +27,10 @@ constexpr double kFirstWorkPerIndex = 10000;
 constexpr double kMostFirstWork = 3e7;
 constexpr double kWideWorkPerPair = 3000;
 constexpr double kMostWideWork = 5e8;
-constexpr double kWideGap = 0.02;
-constexpr double kHardWork = 2e7;  // for the bound: what it took already may take long
+constexpr double kWideGap = 0.01;
 constexpr double kWideRounds = 16;
-constexpr double kDiveShare = 0.15;  // of that work
-constexpr double kSwapShare = 0.25;
-constexpr double kLeastSwapWork = 2e7;
+constexpr double kDiveShare = 0.1;   // of that work
+constexpr double kSwapsPerWork = 3;  // beside other work, where the gap is wide
 
 }  // namespace
 
@@ -61,9 +60,9 @@ void ComponentSolver::improve(const Component& core,
     if (searched_) return;
     search(0);
     work = first_work();
-  } else if (!searched_wide_ && total >= kHardWork && is_wide()) {
-    searched_wide_ = true;
-    work = wide_work();
+  } else if (total >= next_wide_search_ && is_wide()) {
+    next_wide_search_ = 2 * total;
+    work = std::min(total, wide_work()) / (1 + kSwapsPerWork);
     dives = dive(core, live, point, kDiveShare * work);
   }
   search_by_master(core, live, point, dives, work);
@@ -100,7 +99,7 @@ void ComponentSolver::search_by_master(const Component& core,
   const Packing start{core::positions_in(live, state_.best.arcs), state_.best.cost};
   recovery::MasterSearchOptions search;
   search.least_round_work = others.empty() ? 0.0 : work / kWideRounds;
-  search.swap_work = is_wide() ? std::max(kLeastSwapWork, kSwapShare * work) : 0.0;
+  search.swap_work = swap_work(work);
   search.max_work = work + search.swap_work;
   search.goal = search_goal();
   core::Random random(seed_ + static_cast<std::uint64_t>(improvements_));
@@ -108,6 +107,13 @@ void ComponentSolver::search_by_master(const Component& core,
       recovery::search_by_master(core, point, start, others, search, random, deadline_);
   if (found.cost >= start.cost) return;
   offer({core::at_positions(live, found.arcs), found.cost}, "neighbourhoods");
+}
+
+// Work of swaps beside other work; what would be too little adds up.
+double ComponentSolver::swap_work(double work) {
+  if (!is_wide()) return 0;
+  swap_credit_ += kSwapsPerWork * work;
+  return swap_credit_ < kLeastSwapWork ? 0 : std::exchange(swap_credit_, 0);
 }
 
 void ComponentSolver::search(double work) {

@@ -103,6 +103,7 @@ class ComponentSolver {
                         const cutting::Master& point,
                         const std::vector<core::Packing>& others,
                         double work);
+  double swap_work(double work);
   void search(double work);
   bool is_wide() const;
   bool is_large() const;
@@ -128,16 +129,21 @@ class ComponentSolver {
   const core::Deadline& deadline_;
   Monitor& monitor_;
   const Precision precision_;
+  static constexpr double kLeastSwapWork = 2e7;
+  // For the bound: what took it already may take long.
+  static constexpr double kHardWork = 1.5e8;
+
   const std::uint64_t seed_;
   cutting::ProofLog* const proof_;
   bool enumerated_ = false;
   bool searched_cliques_ = false;  // to the end
   bool searched_ = false;
-  bool searched_wide_ = false;
+  double next_wide_search_ = kHardWork;
   int improvements_ = 0;
-  double certify_s_ = 0;    // what making multipliers feasible took
-  double allowed_gap_ = 0;  // absolute, that ends the second stage
-  double dearest_ = 0;      // if any packing covers all required slots, one costs no more
+  double swap_credit_ = kLeastSwapWork;  // the first search by swaps is not too late
+  double certify_s_ = 0;                 // what making multipliers feasible took
+  double allowed_gap_ = 0;               // absolute, that ends the second stage
+  double dearest_ = 0;  // if any packing covers all required slots, one costs no more
   ComponentState state_;
 };
 

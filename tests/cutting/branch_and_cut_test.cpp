@@ -81,7 +81,7 @@ TEST(BranchAndCut, ObeysTheCutoffOfAPause) {
     limits.root_rounds = limits.node_rounds = 1;
     limits.leaf_work = 0;
     int pauses = 0;
-    limits.pause = [&](std::int64_t) {
+    limits.pause = [&](std::int64_t, double) {
       ++pauses;
       return -1e9;
     };
