@@ -67,12 +67,16 @@ class PoolSearch {
 
  private:
   void swap() {
+    SwapSearch search(problem_);
     SwapSearch::Limits limits;
-    limits.max_work = std::min(options_.swap_work, options_.max_work - work_);
+    limits.max_starts = kPoolSize;
     limits.deadline = options_.deadline;
-    work_ +=
-        SwapSearch(problem_).run(limits, random_, [&](Arcs packing) { keep(std::move(packing)); });
-    merge_pool();
+    const double end = std::min(work_ + options_.swap_work, options_.max_work);
+    for (double work = 1; work > 0 && work_ < end && !done(); work_ += work) {
+      limits.max_work = end - work_;
+      work = search.run(limits, random_, [&](Arcs packing) { keep(std::move(packing)); });
+      merge_pool();
+    }
   }
 
   double gap() const { return best_slack_ - std::max(0.0, options_.goal); }
