@@ -16,12 +16,12 @@ using core::ArcId;
 
 constexpr std::int64_t kEnumerationNodes = 200000;
 // Better multipliers, those of a linear program, end what takes longer sooner.
-constexpr std::int64_t kNodesBeforeRelaxation = 100;
+constexpr std::int64_t kNodesBeforeRelaxation = 20;
 // As long as a linear program would take.
 constexpr std::size_t kCliqueArcsPerExactArc = 2;
 constexpr double kEarlyCliqueWork = 1e5;
 // Where covers by cliques were needed, multipliers will not close the gap.
-constexpr int kEvaluationsAfterCliques = 10;
+constexpr int kEvaluationsAfterCliques = 3;
 constexpr int kFeasibleSweeps = 3;
 // A packing that costs so little beyond the multipliers, as a share of the dearest arc, is looked
 // for; then for one that costs so many times as much, as long as there is hardly any choice.
