@@ -2,7 +2,7 @@
 """nda against CBC, GLPK and HiGHS: time to a proof and to good solutions, on every family.
 
     bench/rivals.py [--quick] [--csv FILE] [--time-limit S] [--repeat N] [--rivals NAME,...] [--setups NAME,...]
-                    [--again SOLVER] [--nda FILE] [--core N] [--page FILE] [--tables] [PATTERN...]
+                    [--again SOLVER] [--nda FILE] [--warm FILE] [--core N] [--page FILE] [--tables] [PATTERN...]
 
 runs each solver on each problem on one thread and writes a row per run into the CSV file; what stands there is not
 run again, so it can be stopped at any time and go on.  `--again nda` measures nda alone once more, with a newer binary;
@@ -14,7 +14,7 @@ other or one is no solution.
     bench/rivals.py --csv docs/benchmarks/rivals.csv --page docs/benchmarks.md     # all; hours
     bench/rivals.py --csv docs/benchmarks/rivals.csv --page docs/benchmarks.md --again nda
 
-Needs build/release/nda, Debian's python3-scipy and python3-matplotlib; coinor-cbc and glpk-utils, and a program `highs` on
+Needs Debian's python3-scipy and python3-matplotlib; coinor-cbc and glpk-utils, and a program `highs` on
 the PATH, are used where they are there.
 """
 
@@ -50,7 +50,7 @@ use_python_with_scipy()
 
 from instances import references  # noqa: E402
 from rivals import child, families, figures, libraries, ours, page, problem, program, setups, solvers, store  # noqa: E402
-from shared import processor  # noqa: E402
+from shared import build, processor  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 LOOP_S = 0.1
@@ -95,7 +95,7 @@ class Bench:
         return self._cached[1]
 
     def run_ours(self, instance):
-        return ours.solve(self.arguments.nda, instance.path, stretched(self.arguments.time_limit))
+        return ours.solve(self.arguments.nda, instance.path, stretched(self.arguments.time_limit), self.arguments.warm)
 
     def run_rival(self, instance, solver, setup):
         loaded, limit_s = self.loaded(instance)[0], stretched(self.arguments.time_limit)
@@ -164,6 +164,7 @@ def parse_arguments():
     parser.add_argument("--setups", type=names, default=list(setups.RUN))
     parser.add_argument("--again", type=names, default=[], metavar="SOLVER")
     parser.add_argument("--nda", type=pathlib.Path, default=ROOT / "build/release/nda")
+    parser.add_argument("--warm", type=pathlib.Path, help="of the same nda, times its proofs; built if there is none")
     parser.add_argument("--core", type=int, help="stay on this core")
     parser.add_argument("--page", type=pathlib.Path, help="write the tables between the markers of this file")
     parser.add_argument("--tables", action="store_true", help="run nothing, make the tables of the CSV file")
@@ -182,6 +183,8 @@ def main():
     arguments = parse_arguments()
     if arguments.core is not None:
         os.sched_setaffinity(0, {arguments.core})
+    if not arguments.tables and not arguments.warm:
+        arguments.warm = build("nda_cli", "warm_benchmark") / "warm_benchmark"
     bench = Bench(arguments)
     if not arguments.tables:
         with tempfile.TemporaryDirectory() as name:
