@@ -85,9 +85,13 @@ bool all_costs(const Problem& problem, const Deadline& deadline, Predicate&& hol
 
 }  // namespace
 
-Shift make_shift(const Problem& problem, const Deadline& deadline) {
+Shift make_shift(const Problem& problem, const Deadline& deadline, double most_penalty) {
   Shift shift;
-  if (has_forbidden_singleton(problem)) shift.penalty = make_penalty(problem, deadline);
+  if (has_forbidden_singleton(problem)) {
+    const double enough = make_penalty(problem, deadline);
+    shift.penalty = std::min(enough, std::floor(most_penalty));
+    shift.is_enough = shift.penalty == enough;
+  }
   std::uint32_t next = 0;
   for (int k = 0; k < problem.num_dimensions(); ++k) {
     shift.offset.push_back(next);

@@ -15,21 +15,29 @@ namespace nda::core {
 ///     c'[a] = c[a] - sum of base over the indices of a,    cost = constant + sum of c' over chosen
 ///     arcs.
 ///
-/// `base` is the singleton's cost, or `penalty` where the singleton is forbidden: a charge so high
-/// that a solution leaving such an index uncovered costs more than any that covers them all.
+/// `base` is the singleton's cost, or `penalty` where the singleton is forbidden.  Whatever the
+/// penalty, solutions that cover all these indices keep their cost, so a bound is a bound, and a
+/// best solution that covers them is the best.  Where it is high enough, one that leaves such an
+/// index uncovered costs more than any that covers them all.
 /// Source: report, section 4.8 (invariance); the penalty is ours.
 struct Shift {
   std::vector<std::vector<double>> base;  ///< [k][i], entry 0 is 0
   std::vector<std::uint32_t>
-      offset;           ///< slot of the dummy of dimension k; slot(k, i) = offset[k] + i
-  double constant = 0;  ///< sum of all base: the cost of choosing nothing
-  double penalty = 0;   ///< 0 when no singleton is forbidden
-  bool is_free = true;  ///< every charge is 0: c' = c
+      offset;             ///< slot of the dummy of dimension k; slot(k, i) = offset[k] + i
+  double constant = 0;    ///< sum of all base: the cost of choosing nothing
+  double penalty = 0;     ///< 0 when no singleton is forbidden
+  bool is_enough = true;  ///< the penalty is as high as that
+  bool is_free = true;    ///< every charge is 0: c' = c
 };
 
+/// @param most_penalty  >= 1: the penalty is no higher, even if that is not enough.  High ones hide
+///                      the digits of the costs.
+///
 /// Where the deadline strikes before the penalty is known it is 0: the shift is then good for
 /// bounds, not for searching.
-Shift make_shift(const Problem& problem, const Deadline& deadline = {});
+Shift make_shift(const Problem& problem,
+                 const Deadline& deadline = {},
+                 double most_penalty = kInfinity);
 
 /// c'[a], rounded once: charges may cancel, and then what is left of the cost decides.
 inline double shifted_cost(const Problem& problem, const Shift& shift, std::size_t a) {

@@ -37,6 +37,19 @@ double smallest_cost(const Problem& problem) {
   return least < kInfinity ? least : 0;
 }
 
+// The absolute costs of either sum up to at most its cost, and twice its negative costs.
+double off_grid(const Problem& problem, double cost) {
+  double most_negative = 0;
+  const auto note = [&](double c) { most_negative = std::min(most_negative, c); };
+  std::for_each(problem.costs().begin(), problem.costs().end(), note);
+  for (int k = 0; k < problem.num_dimensions(); ++k) {
+    const auto singletons = problem.singleton_costs(k);
+    std::for_each(singletons.begin(), singletons.end(), note);
+  }
+  const double negative = -static_cast<double>(problem.num_indices()) * most_negative;
+  return 0x1p-52 * (2 * std::abs(cost) + 4 * negative);
+}
+
 std::string figure_text(double figure) {
   char text[32];
   std::snprintf(text, sizeof text, "%.3g", figure);

@@ -13,6 +13,10 @@ double largest_cost(const Problem& problem);
 /// Least |c| > 0 of the same; 0 if there is none.
 double smallest_cost(const Problem& problem);
 
+/// How far the rounding of costs off the grid may let a solution seem cheaper than one that costs
+/// `cost`: by 2^-52 of all absolute costs of the two.
+double off_grid(const Problem& problem, double cost);
+
 /// A cost for a sentence: three digits.
 std::string figure_text(double figure);
 

@@ -22,6 +22,7 @@
 #include "solve/parallel.hpp"
 #include "solve/process.hpp"
 #include "solve/settling.hpp"
+#include "solve/singletons.hpp"
 
 // The pipeline: shift, split, solve the parts in two rounds, merge.  The first round gives every
 // component a solution and a bound, the second works on those that are not yet closed.  Components
@@ -44,6 +45,10 @@ constexpr double kMergeSecondsPerPart = 2e-6;
 
 constexpr double kWholeShare = 0.9;
 
+// The penalty of forbidden singletons is at first so many times the largest cost, which leaves the
+// costs their digits and is nearly always enough.
+constexpr double kFirstPenalty = 64;
+
 // Beyond this sums and squares of costs might overflow.
 constexpr double kLargestCost = 1e100;
 
@@ -63,9 +68,10 @@ struct Part {
 
 class Pipeline {
  public:
-  Pipeline(const Problem& problem, const Options& options)
+  Pipeline(const Problem& problem, const Options& options, double most_penalty)
       : problem_(problem),
         options_(options),
+        most_penalty_(most_penalty),
         forward_stop_(options.stop, StopForwarder{stop_}),
         monitor_(options.progress, stop_),
         deadline_(work_limit(), stop_.get_token(), &heartbeat_) {}
@@ -76,6 +82,11 @@ class Pipeline {
     prepare();
     if (is_bounded_) work();
     return merge();
+  }
+
+  // After run(): the best solution leaves an index uncovered that a higher penalty might cover.
+  bool needs_higher_penalty() const {
+    return is_bounded_ && !shift_.is_enough && !missing_.empty() && !deadline_.reached();
   }
 
  private:
@@ -93,7 +104,7 @@ class Pipeline {
 
   // Shifts, splits, and finds a first bound for every component, as far as the deadline lets it.
   void prepare() {
-    shift_ = core::make_shift(problem_, deadline_);
+    shift_ = core::make_shift(problem_, deadline_, most_penalty_);
     grid_ = core::find_grid(problem_, deadline_);
     partition_ = decompose::partition(problem_, shift_, deadline_);
     if (deadline_.reached()) return;
@@ -157,10 +168,11 @@ class Pipeline {
     if (options_.proof) {
       part.proof =
           std::make_unique<cutting::ProofLog>(part.component,
-                                              charges(part.component),
+                                              pipeline::charges(part.component, shift_),
                                               pipeline::precision_of(part.component, grid_).error);
     }
-    std::vector<bool> required = this->required(part.component);
+    std::vector<bool> required;
+    if (shift_.penalty > 0) required = pipeline::required_slots(part.component, problem_);
     if (required.empty() && options_.method != Method::kRelaxation) {
       part.settled = pipeline::settle(part.component, grid_, options_.search.reductions, reducer);
       if (part.settled) return pipeline::tell(part.settled->state, monitor_);
@@ -175,29 +187,10 @@ class Pipeline {
                                                     part.proof.get());
   }
 
-  // By slot: what the shift charges.
-  std::vector<double> charges(const Component& component) const {
-    std::vector<double> charges(component.num_slots(), 0.0);
-    core::for_each_index(component, [&](std::uint32_t slot, std::size_t k, Index i) {
-      charges[slot] = shift_.base[k][i];
-    });
-    return charges;
-  }
-
   // What must become feasible before the whole is: the components, and whatever is in none.
   std::size_t num_infeasible() const {
     if (shift_.penalty == 0) return 0;
     return parts_.size() + (pipeline::indices_without_arcs(problem_).empty() ? 0 : 1);
-  }
-
-  // By slot: whether its singleton is forbidden.
-  std::vector<bool> required(const Component& component) const {
-    if (shift_.penalty == 0) return {};
-    std::vector<bool> required(component.num_slots(), false);
-    core::for_each_index(component, [&](std::uint32_t slot, std::size_t k, Index i) {
-      required[slot] = problem_.singleton_costs(static_cast<int>(k))[i] == kInfinity;
-    });
-    return required;
   }
 
   // One component with nearly all arcs: then a copy would only cost memory.
@@ -391,7 +384,8 @@ class Pipeline {
     }
     // On a grid a proof to less than a step is a proof of the cost, but for the rounding that put
     // the costs beside their grid points.
-    return exact ? solution.cost - off_grid(solution) : total(&lower_bound) - error;
+    if (!exact) return total(&lower_bound) - error;
+    return solution.cost - (grid_.exact ? 0.0 : pipeline::off_grid(problem_, solution.cost));
   }
 
   void set_status(Solution& solution) const {
@@ -407,7 +401,8 @@ class Pipeline {
       complete = complete && state.complete;
       infeasible = infeasible || (state.complete && !state.feasible);
     }
-    if (!missing_.empty()) return set_infeasible(solution, complete || infeasible);
+    if (!missing_.empty())
+      return set_infeasible(solution, shift_.is_enough && (complete || infeasible));
     // However coarse the search was, a certificate that meets the cost is beyond doubt.
     const double open = solution.cost - solution.stats.certificate_bound;
     if (complete && (on_grid || negligible(std::min(error, open), solution.cost))) {
@@ -451,24 +446,9 @@ class Pipeline {
     }
   }
 
-  // How far the rounding of costs off the grid may let a solution seem cheaper than this one: by
-  // 2^-52 of all absolute costs of the two.  Those of either sum up to at most its cost, and twice
-  // its negative costs.
-  double off_grid(const Solution& solution) const {
-    if (grid_.exact) return 0;
-    double most_negative = 0;
-    const auto note = [&](double cost) { most_negative = std::min(most_negative, cost); };
-    std::for_each(problem_.costs().begin(), problem_.costs().end(), note);
-    for (int k = 0; k < problem_.num_dimensions(); ++k) {
-      const auto singletons = problem_.singleton_costs(k);
-      std::for_each(singletons.begin(), singletons.end(), note);
-    }
-    const double negative = -static_cast<double>(problem_.num_indices()) * most_negative;
-    return 0x1p-52 * (2 * std::abs(solution.cost) + 4 * negative);
-  }
-
   const Problem& problem_;
   const Options& options_;
+  const double most_penalty_;
   std::stop_source stop_;
   std::stop_callback<StopForwarder> forward_stop_;
   Monitor monitor_;
@@ -483,12 +463,32 @@ class Pipeline {
   bool is_bounded_ = false;                   // every part has a solver and a bound
 };
 
+// Goes on where a first run ended.
+Solution run_again(const Problem& problem, const Options& options, const Solution& first) {
+  Options rest = options;
+  const double seconds = first.stats.solve_seconds;
+  rest.time_limit_s = std::max(options.time_limit_s - seconds, 1e-9);
+  if (options.progress) {
+    rest.progress = [&](Progress now) {
+      now.seconds += seconds;
+      now.lower_bound = std::max(now.lower_bound, first.lower_bound);
+      return options.progress(now);
+    };
+  }
+  Solution solution = Pipeline(problem, rest, kInfinity).run();
+  solution.stats.solve_seconds += seconds;
+  return solution;
+}
+
 }  // namespace
 
 Solution solve(const Problem& problem, const Options& options) {
   if (problem.num_dimensions() == 0) throw InputError("the problem was moved from: 0 dimensions");
   validate(options);
-  return Pipeline(problem, options).run();
+  const double modest = std::max(1.0, kFirstPenalty * pipeline::largest_cost(problem));
+  Pipeline first(problem, options, modest);
+  Solution solution = first.run();
+  return first.needs_higher_penalty() ? run_again(problem, options, solution) : solution;
 }
 
 }  // namespace nda

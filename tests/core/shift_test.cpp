@@ -38,6 +38,17 @@ TEST(Shift, PutsThePenaltyWhereTheSingletonIsForbidden) {
   EXPECT_EQ(shifted_cost(problem, shift, 0), 10 - shift.penalty);
 }
 
+TEST(Shift, SaysWhetherALimitedPenaltyIsEnough) {
+  const Problem problem = make_problem({2, 1}, {{{1, 0}, kInfinity}, {{2, 0}, 4}, {{1, 1}, 10}});
+  const Shift enough = make_shift(problem);
+  EXPECT_TRUE(enough.is_enough);
+  const Shift limited = make_shift(problem, {}, enough.penalty - 0.5);
+  EXPECT_FALSE(limited.is_enough);
+  EXPECT_EQ(limited.penalty, enough.penalty - 1);
+  EXPECT_TRUE(make_shift(problem, {}, enough.penalty).is_enough);
+  EXPECT_TRUE(make_shift(make_problem({1, 1}, {{{1, 1}, 3}}), {}, 1).is_enough);
+}
+
 TEST(Shift, PenaltyIsPositiveWhereAllCostsAreZero) {
   const Problem problem = make_problem({1, 1}, {{{1, 1}, 0}}, kInfinity);
   EXPECT_GT(make_shift(problem).penalty, 0);
