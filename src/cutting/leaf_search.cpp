@@ -17,7 +17,7 @@ using core::ArcId;
 constexpr double kShrunk = 0.75;
 constexpr double kFirstShare = 0.125;  // of the gap
 // Over many indices a search whose budget is a small part of the gap may only take a part of the
-// credit: what fails early would have failed late.
+// credit: what fails early would have failed late.  With more arcs than indices it fails anyway.
 constexpr double kFewIndices = 4000;
 
 std::vector<ArcId> allowed(const Master& master) {
@@ -70,10 +70,11 @@ bool LeafSearch::search_slack(const Master& master, double& cutoff) {
   const double few = kFewIndices / static_cast<double>(component_.num_indices());
   double budget = kFirstShare * gap > 0 ? kFirstShare * gap : gap;
   for (double work = 0;; budget *= 2) {
-    budget = std::min(gap, budget);
+    failed_budget_ = budget = std::min(gap, budget);
     limits.max_work = credit_ * std::min(1.0, few * std::sqrt(budget / gap)) - work;
     limits.max_nodes = limits_.max_nodes - nodes_;
     const std::vector<ArcId> arcs = slack.affordable(budget);
+    if (few < 1 && arcs.size() > component_.num_indices()) return false;
     const bnb::SlackResult result = bnb::search_slack(slack.problem(arcs), budget, limits);
     nodes_ += result.nodes;
     work += result.work;
@@ -82,7 +83,6 @@ bool LeafSearch::search_slack(const Master& master, double& cutoff) {
       std::vector<ArcId> found = core::at_positions(arcs, result.arcs);
       lower(master, core::make_packing(component_, std::move(found)), cutoff);
     }
-    failed_budget_ = budget;
     if (!result.complete) return false;
     if (!(result.slack < budget) && budget < gap) continue;
     if (limits_.proof != nullptr) limits_.proof->search(master, slack.u(), cutoff);

@@ -6,7 +6,8 @@
 // its cheap arcs to the owners of that arc's other indices.  Half of them start where the packing
 // loses most against the multipliers (the reduced cost of the owner, the price of an uncovered
 // index), the others anywhere.  Their size follows what the subproblem solver can finish: it grows
-// while searches are complete and shrinks when they are not (adaptive as in Pisinger & Ropke 2010).
+// while searches are complete, fast at first, and shrinks when they are not (adaptive as in
+// Pisinger & Ropke 2010).
 //
 // Cuts take part: what the arcs that stay leave of a cut's capacity is its capacity in the
 // subproblem.  After many rounds of cuts the slack of a good packing is a third of what the
@@ -19,6 +20,7 @@ namespace {
 constexpr std::uint32_t kNone = SlackPacking::kNone;
 constexpr double kFirstSize = 4;
 constexpr double kLeastSize = 2;
+constexpr double kFirstGrowth = 1;  // until the first search that is not complete
 constexpr double kGrowth = 0.05;
 constexpr double kShrinking = 0.5;
 constexpr double kWorkPerAttempt = 3e5;    // a millisecond
@@ -69,6 +71,7 @@ double NeighbourhoodSearch::improve(std::vector<std::uint32_t>& best,
   state_.assign(best);
   double best_slack = state_.slack();
   double size = kFirstSize;
+  double growth = kFirstGrowth;
   double work = 0;
   while (work < limits.max_work && best_slack > limits.goal && !limits.deadline.reached()) {
     free_around(choose_seed(random), static_cast<std::size_t>(size), random);
@@ -79,7 +82,8 @@ double NeighbourhoodSearch::improve(std::vector<std::uint32_t>& best,
             ? refill(freed_[random.below(freed_.size())], random.uniform(0, kDetour) * gap, limits)
             : refill(kNone, 0, limits);
     work += attempt.work + kWorkOfSettingUp + static_cast<double>(looked_at_);
-    size = attempt.complete ? size + kGrowth : std::max(kLeastSize, size - kShrinking);
+    if (!attempt.complete) growth = kGrowth;
+    size = attempt.complete ? size + growth : std::max(kLeastSize, size - kShrinking);
     if (state_.slack() < best_slack * (1 - kBetter)) {
       best = state_.arcs();
       best_slack = state_.slack();

@@ -19,7 +19,8 @@ namespace nda::recovery {
 namespace {
 
 constexpr double kWorkPerIndex = 5000;  // of a round
-constexpr double kMergeShare = 0.5;     // of a round, for merging
+constexpr double kMergeShare = 0.5;     // of a round, for merging; but not most of what is left
+constexpr double kMergeShareOfRest = 0.1;
 constexpr std::size_t kPoolSize = 12;
 constexpr int kRoundsPerBest = 4;
 constexpr double kBetter = 1e-9;
@@ -143,7 +144,8 @@ class PoolSearch {
       part.add_row(problem_.price(row), problem_.capacity(row));
     for (const std::uint32_t arc : arcs) part.add_arc(problem_.reduced(arc), problem_.uses(arc));
     bnb::SlackLimits limits;
-    limits.max_work = std::min(kMergeShare * round_work_, options_.max_work - work_);
+    limits.max_work =
+        std::min(kMergeShare * round_work_, kMergeShareOfRest * (options_.max_work - work_));
     limits.deadline = options_.deadline;
     const bnb::SlackResult result = bnb::search_slack(part, best_slack_ * (1 - kBetter), limits);
     work_ += result.work + part.num_rows();

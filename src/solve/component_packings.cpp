@@ -24,7 +24,7 @@ using core::Packing;
 // pair of an index and an arc.
 constexpr double kFirstWork = 2e6;
 constexpr double kFirstWorkPerIndex = 10000;
-constexpr double kMostFirstWork = 3e7;
+constexpr double kMostFirstWork = 5e7;
 constexpr double kWideWorkPerPair = 3000;
 constexpr double kMostWideWork = 5e8;
 constexpr double kWideGap = 0.01;
