@@ -20,23 +20,26 @@ void for_all(std::size_t count,
 /// The same with any work(i, worker).
 ///
 /// Its two atomics say over again what for_all promises: each call sees what was written before
-/// for_all, and what a call that does not throw wrote is seen after it.  The thread sanitizer needs
-/// that told, since it cannot look into Debian's oneTBB.
+/// for_all, and what a call wrote, an exception included, is seen after it.  The thread sanitizer
+/// needs that told, since it cannot look into Debian's oneTBB.
 template <typename Work>
 void for_all(std::size_t count, int num_threads, Work&& work) {
   struct Job {
     std::atomic<bool> begun;
     Work& work;
     std::atomic<std::size_t> ended;
+    ~Job() { ended.load(std::memory_order_acquire); }
   } job{false, work, 0};
+  struct Call {
+    Job& job;
+    explicit Call(Job& of) : job(of) { job.begun.load(std::memory_order_acquire); }
+    ~Call() { job.ended.fetch_add(1, std::memory_order_release); }
+  };
   job.begun.store(true, std::memory_order_release);
   for_all(count, num_threads, &job, [](void* context, std::size_t i, std::size_t worker) {
-    Job& mine = *static_cast<Job*>(context);
-    mine.begun.load(std::memory_order_acquire);
-    mine.work(i, worker);
-    mine.ended.fetch_add(1, std::memory_order_release);
+    const Call call(*static_cast<Job*>(context));
+    call.job.work(i, worker);
   });
-  job.ended.load(std::memory_order_acquire);
 }
 
 }  // namespace nda::pipeline

@@ -18,6 +18,7 @@
 #include "nda/solve.hpp"
 #include "solve/medium_problems.hpp"
 #include "support/brute_force.hpp"
+#include "support/build_kind.hpp"
 #include "support/matchers.hpp"
 #include "support/random_problems.hpp"
 #include "support/tiny_problems.hpp"
@@ -69,7 +70,8 @@ class TimeLimits : public ::testing::TestWithParam<int> {};
 TEST_P(TimeLimits, AreObeyed) {
   Options options;
   options.time_limit_s = 0.001 * GetParam();
-  const double allowed = options.time_limit_s + std::max(0.005, 0.01 * options.time_limit_s);
+  const double allowed =
+      options.time_limit_s + support::kSlowdown * std::max(0.005, 0.01 * options.time_limit_s);
   const Problem& problem = hard_problem();
   double least = kInfinity;
   for (int attempt = 0; attempt < 3 && least > allowed; ++attempt) {
