@@ -389,8 +389,7 @@ class SlackSearch {
   bool fits(std::uint32_t arc) const {
     if ((indices_[arc] & occupied_marks_) == 0) return true;
     if (problem_.num_indices() <= kMarks) return false;
-    for (const RowUse use : problem_.uses(arc)) {
-      if (use.row >= problem_.num_indices()) break;
+    for (const RowUse use : problem_.index_uses(arc)) {
       if (occupied_[use.row] != 0) return false;
     }
     return true;
@@ -457,6 +456,9 @@ std::uint32_t SlackProblem::add_arc(double reduced, std::span<const RowUse> uses
   reduced_.push_back(reduced);
   uses_.insert(uses_.end(), uses.begin(), uses.end());
   start_.push_back(uses_.size());
+  const auto is_cut = [&](const RowUse& use) { return use.row >= num_indices_; };
+  const auto first_cut = std::find_if(uses.begin(), uses.end(), is_cut);
+  num_index_uses_.push_back(static_cast<std::uint32_t>(first_cut - uses.begin()));
   return num_arcs() - 1;
 }
 

@@ -42,6 +42,10 @@ class SlackProblem {
   std::span<const RowUse> uses(std::uint32_t arc) const {
     return std::span(uses_).subspan(start_[arc], start_[arc + 1] - start_[arc]);
   }
+  /// Those of indices.
+  std::span<const RowUse> index_uses(std::uint32_t arc) const {
+    return std::span(uses_).subspan(start_[arc], num_index_uses_[arc]);
+  }
 
  private:
   std::uint32_t num_indices_;
@@ -50,6 +54,7 @@ class SlackProblem {
   std::vector<double> reduced_;          // [arc]
   std::vector<std::size_t> start_ = {0};
   std::vector<RowUse> uses_;
+  std::vector<std::uint32_t> num_index_uses_;  // [arc]
 };
 
 struct SlackLimits {

@@ -48,9 +48,7 @@ NeighbourhoodSearch::NeighbourhoodSearch(const bnb::SlackProblem& problem)
 void NeighbourhoodSearch::list_arcs() {
   arcs_ = core::Lists<std::uint32_t>(problem_.num_indices(), [&](auto&& visit) {
     for (std::uint32_t arc = 0; arc < problem_.num_arcs(); ++arc) {
-      for (const bnb::RowUse& use : problem_.uses(arc)) {
-        if (state_.is_index(use.row)) visit(use.row, arc);
-      }
+      for (const bnb::RowUse& use : problem_.index_uses(arc)) visit(use.row, arc);
     }
   });
   for (std::uint32_t index = 0; index < problem_.num_indices(); ++index) {
@@ -115,8 +113,7 @@ std::uint32_t NeighbourhoodSearch::choose_seed(core::Random& random) const {
 
 void NeighbourhoodSearch::free_arc(std::uint32_t arc) {
   freed_.push_back(arc);
-  for (const bnb::RowUse& use : problem_.uses(arc)) {
-    if (!state_.is_index(use.row)) break;
+  for (const bnb::RowUse& use : problem_.index_uses(arc)) {
     if (is_freed_[use.row] == 0) freed_indices_.push_back(use.row);
     is_freed_[use.row] = 1;
   }
@@ -133,8 +130,7 @@ void NeighbourhoodSearch::free_around(std::uint32_t seed, std::size_t count, cor
         arcs_of(freed_indices_[random.below(freed_indices_.size())]);
     if (arcs.empty()) continue;
     const std::uint32_t arc = arcs[random.below(std::min<std::uint64_t>(kChoices, arcs.size()))];
-    for (const bnb::RowUse& use : problem_.uses(arc)) {
-      if (!state_.is_index(use.row)) break;
+    for (const bnb::RowUse& use : problem_.index_uses(arc)) {
       if (state_.owner(use.row) != kNone && is_freed_[use.row] == 0)
         free_arc(state_.owner(use.row));
     }
@@ -142,8 +138,7 @@ void NeighbourhoodSearch::free_around(std::uint32_t seed, std::size_t count, cor
 }
 
 bool NeighbourhoodSearch::fits(std::uint32_t arc) const {
-  for (const bnb::RowUse& use : problem_.uses(arc)) {
-    if (!state_.is_index(use.row)) break;
+  for (const bnb::RowUse& use : problem_.index_uses(arc)) {
     if (is_freed_[use.row] == 0 && state_.owner(use.row) != kNone) return false;
   }
   return true;

@@ -120,9 +120,7 @@ class PoolSearch {
   void fill_greedy_keys() {
     for (std::uint32_t arc = 0; arc < problem_.num_arcs(); ++arc) {
       double price = 0;
-      for (const bnb::RowUse& use : problem_.uses(arc)) {
-        if (state_.is_index(use.row)) price += problem_.price(use.row);
-      }
+      for (const bnb::RowUse& use : problem_.index_uses(arc)) price += problem_.price(use.row);
       greedy_key_.push_back(problem_.reduced(arc) - kPriceShare * price);
     }
   }

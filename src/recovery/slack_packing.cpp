@@ -10,8 +10,7 @@ SlackPacking::SlackPacking(const bnb::SlackProblem& problem)
 }
 
 bool SlackPacking::fits(std::uint32_t arc) const {
-  for (const bnb::RowUse& use : problem_.uses(arc)) {
-    if (!is_index(use.row)) break;
+  for (const bnb::RowUse& use : problem_.index_uses(arc)) {
     if (owner_[use.row] != kNone) return false;
   }
   return true;

@@ -68,10 +68,7 @@ SwapSearch::SwapSearch(const bnb::SlackProblem& problem) : problem_(problem) {
 void SwapSearch::list_rivals() {
   const auto num_arcs = static_cast<std::uint32_t>(arcs_.size());
   const auto for_each_index = [&](std::uint32_t n, auto&& visit) {
-    for (const bnb::RowUse& use : problem_.uses(arcs_[n])) {
-      if (use.row >= problem_.num_indices()) break;
-      visit(use.row);
-    }
+    for (const bnb::RowUse& use : problem_.index_uses(arcs_[n])) visit(use.row);
   };
   const core::Lists<std::uint32_t> of_index(problem_.num_indices(), [&](auto&& visit) {
     for (std::uint32_t n = 0; n < num_arcs; ++n)
