@@ -53,6 +53,7 @@ from rivals import child, families, figures, libraries, ours, page, problem, pro
 from shared import build, processor  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+DEFAULT_NDA = ROOT / "build/release/nda"
 LOOP_S = 0.1
 LARGEST_STRETCH = 5.0
 RIVALS = {rival.name: rival for rival in (solvers.Highs, libraries.Cbc, program.HighsProgram, libraries.Glpk)}
@@ -163,7 +164,7 @@ def parse_arguments():
     parser.add_argument("--rivals", type=names, default=list(RIVALS))
     parser.add_argument("--setups", type=names, default=list(setups.RUN))
     parser.add_argument("--again", type=names, default=[], metavar="SOLVER")
-    parser.add_argument("--nda", type=pathlib.Path, default=ROOT / "build/release/nda")
+    parser.add_argument("--nda", type=pathlib.Path, default=DEFAULT_NDA)
     parser.add_argument("--warm", type=pathlib.Path, help="of the same nda, times its proofs; built if there is none")
     parser.add_argument("--core", type=int, help="stay on this core")
     parser.add_argument("--page", type=pathlib.Path, help="write the tables between the markers of this file")
@@ -183,6 +184,8 @@ def main():
     arguments = parse_arguments()
     if arguments.core is not None:
         os.sched_setaffinity(0, {arguments.core})
+    if arguments.nda != DEFAULT_NDA and not arguments.warm:
+        sys.exit("--nda needs --warm of the same build")
     if not arguments.tables and not arguments.warm:
         arguments.warm = build("nda_cli", "warm_benchmark") / "warm_benchmark"
     bench = Bench(arguments)

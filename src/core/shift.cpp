@@ -89,7 +89,7 @@ Shift make_shift(const Problem& problem, const Deadline& deadline, double most_p
   Shift shift;
   if (has_forbidden_singleton(problem)) {
     const double enough = make_penalty(problem, deadline);
-    shift.penalty = std::min(enough, std::floor(most_penalty));
+    shift.penalty = std::min(enough, std::ceil(most_penalty));
     shift.is_enough = shift.penalty == enough;
   }
   std::uint32_t next = 0;

@@ -26,12 +26,13 @@ struct Shift {
       offset;             ///< slot of the dummy of dimension k; slot(k, i) = offset[k] + i
   double constant = 0;    ///< sum of all base: the cost of choosing nothing
   double penalty = 0;     ///< 0 when no singleton is forbidden
-  bool is_enough = true;  ///< the penalty is as high as that
+  bool is_enough = true;  ///< no best solution pays the penalty where any solution does not
   bool is_free = true;    ///< every charge is 0: c' = c
 };
 
 /// @param most_penalty  >= 1: the penalty is no higher, even if that is not enough.  High ones hide
-///                      the digits of the costs.
+///                      the digits of the costs.  Where it is above N + 1 times the largest |c|,
+///                      every arc of an index with a forbidden singleton keeps c' < 0.
 ///
 /// Where the deadline strikes before the penalty is known it is 0: the shift is then good for
 /// bounds, not for searching.

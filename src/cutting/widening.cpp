@@ -34,8 +34,8 @@ constexpr double kPauseShare = 0.5;
 constexpr double kFirstLeafWork = 4e8;
 // A sixteenth of what a checker does for a proof, since the search may take that many times as
 // long.
-constexpr double kCoverShare = 0.05;
 constexpr double kMostCoverWork = 1e9;
+constexpr double kCoverShare = 0.05;  // of the work for bounds so far
 // Rounds of cuts before each call for better packings, and after the last one.
 constexpr std::array<int, 4> kRounds = {3, 8, 30, 200};
 
@@ -166,7 +166,7 @@ class Widening {
     return found.complete && result_.lower < cutoff_;
   }
 
-  // All packings by cliques, which may take as long as bounds took; returns whether that was
+  // All packings by cliques, which may take a part of what bounds took; returns whether that was
   // enough.
   bool cover(std::int64_t running) {
     LeafLimits limits;

@@ -18,9 +18,9 @@
 namespace nda::recovery {
 namespace {
 
-constexpr double kWorkPerIndex = 5000;  // of a round
-constexpr double kMergeShare = 0.5;     // of a round, for merging; but not most of what is left
-constexpr double kMergeShareOfRest = 0.1;
+constexpr double kWorkPerIndex = 5000;     // of a round
+constexpr double kMergeShare = 0.5;        // of a round, for merging
+constexpr double kMergeShareOfRest = 0.1;  // of all work that is left
 constexpr std::size_t kPoolSize = 12;
 constexpr int kRoundsPerBest = 4;
 constexpr double kBetter = 1e-9;

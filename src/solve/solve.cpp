@@ -20,6 +20,7 @@
 #include "solve/infeasibility.hpp"
 #include "solve/monitor.hpp"
 #include "solve/parallel.hpp"
+#include "solve/penalties.hpp"
 #include "solve/process.hpp"
 #include "solve/settling.hpp"
 #include "solve/singletons.hpp"
@@ -45,10 +46,6 @@ constexpr double kMergeSecondsPerPart = 2e-6;
 
 constexpr double kWholeShare = 0.9;
 
-// The penalty of forbidden singletons is at first so many times the largest cost, which leaves the
-// costs their digits and is nearly always enough.
-constexpr double kFirstPenalty = 64;
-
 // Beyond this sums and squares of costs might overflow.
 constexpr double kLargestCost = 1e100;
 
@@ -68,10 +65,11 @@ struct Part {
 
 class Pipeline {
  public:
-  Pipeline(const Problem& problem, const Options& options, double most_penalty)
+  // modest: where a penalty that is surely enough would hide digits of the costs, a lower one.
+  Pipeline(const Problem& problem, const Options& options, bool modest)
       : problem_(problem),
         options_(options),
-        most_penalty_(most_penalty),
+        modest_(modest),
         forward_stop_(options.stop, StopForwarder{stop_}),
         monitor_(options.progress, stop_),
         deadline_(work_limit(), stop_.get_token(), &heartbeat_) {}
@@ -86,7 +84,8 @@ class Pipeline {
 
   // After run(): the best solution leaves an index uncovered that a higher penalty might cover.
   bool needs_higher_penalty() const {
-    return is_bounded_ && !shift_.is_enough && !missing_.empty() && !deadline_.reached();
+    return is_bounded_ && !shift_.is_enough && !missing_.empty() && !is_infeasible_ &&
+           !deadline_.reached();
   }
 
  private:
@@ -104,8 +103,10 @@ class Pipeline {
 
   // Shifts, splits, and finds a first bound for every component, as far as the deadline lets it.
   void prepare() {
-    shift_ = core::make_shift(problem_, deadline_, most_penalty_);
+    shift_ = core::make_shift(problem_, deadline_);
     grid_ = core::find_grid(problem_, deadline_);
+    if (modest_ && pipeline::hides_digits(problem_, shift_, grid_))
+      shift_ = core::make_shift(problem_, deadline_, pipeline::modest_penalty(problem_));
     partition_ = decompose::partition(problem_, shift_, deadline_);
     if (deadline_.reached()) return;
     parts_.resize(partition_.num_components());
@@ -125,6 +126,7 @@ class Pipeline {
   void work() {
     for_open_parts([](const Part& part) { return static_cast<double>(part.component.num_arcs()); },
                    [](Part& part) { part.solver->start(); });
+    if (is_penalty_too_low()) return;
     const double gap = allowed_gap();
     const double open = total(&best_cost) - total(&lower_bound);
     const auto gap_of = [](const Part& part) {
@@ -133,6 +135,13 @@ class Pipeline {
     for_open_parts(gap_of, [&](Part& part) {
       const double share = open > 0 ? gap_of(part) / open : 0.0;
       part.solver->finish(share > 0 ? gap * share : 0.0);
+    });
+  }
+
+  // Something is done with and pays it.
+  bool is_penalty_too_low() const {
+    return !shift_.is_enough && std::any_of(parts_.begin(), parts_.end(), [](const Part& part) {
+      return part.state().complete && !part.state().feasible;
     });
   }
 
@@ -239,7 +248,8 @@ class Pipeline {
     merge_multipliers(solution);
     merge_bounds(solution);
     set_status(solution);
-    if (options_.proof && is_bounded_ && solution.status != Status::kInfeasible) prove(solution);
+    if (options_.proof && is_bounded_ && !is_infeasible_ && !needs_higher_penalty())
+      prove(solution);
     solution.stats.solve_seconds = deadline_.seconds();
     solution.stats.peak_memory_bytes = pipeline::peak_memory_bytes();
     return solution;
@@ -277,8 +287,8 @@ class Pipeline {
                          state.method};
     line.lower_bound = std::min(line.lower_bound, line.cost);  // the base may be rounded away
     if (state.complete && !feasible) {
-      line.status = Status::kInfeasible;
-      line.lower_bound = kInfinity;
+      line.status = shift_.is_enough ? Status::kInfeasible : out_of_time();
+      if (shift_.is_enough) line.lower_bound = kInfinity;
     }
     solution.components.push_back(std::move(line));
     solution.stats.dual_evaluations += state.evaluations;
@@ -388,7 +398,7 @@ class Pipeline {
     return solution.cost - (grid_.exact ? 0.0 : pipeline::off_grid(problem_, solution.cost));
   }
 
-  void set_status(Solution& solution) const {
+  void set_status(Solution& solution) {
     bool complete = is_bounded_;
     bool on_grid = true;
     bool infeasible = false;
@@ -401,8 +411,7 @@ class Pipeline {
       complete = complete && state.complete;
       infeasible = infeasible || (state.complete && !state.feasible);
     }
-    if (!missing_.empty())
-      return set_infeasible(solution, shift_.is_enough && (complete || infeasible));
+    if (!missing_.empty()) return set_infeasible(solution, complete || infeasible);
     // However coarse the search was, a certificate that meets the cost is beyond doubt.
     const double open = solution.cost - solution.stats.certificate_bound;
     if (complete && (on_grid || negligible(std::min(error, open), solution.cost))) {
@@ -421,18 +430,25 @@ class Pipeline {
 
   // The gravest reason of the components that are not complete.
   Status why_stopped() const {
-    if (!is_bounded_) return deadline_.interrupted() ? Status::kInterrupted : Status::kTimeLimit;
+    if (!is_bounded_) return out_of_time();
     for (const Status status :
          {Status::kInterrupted, Status::kTimeLimit, Status::kNodeLimit, Status::kIterationLimit}) {
       const auto stopped_so = [&](const Part& part) { return part.state().stopped == status; };
       if (std::any_of(parts_.begin(), parts_.end(), stopped_so)) return status;
     }
-    return Status::kGapReached;
+    // Something complete is uncovered: there was no time for a higher penalty.
+    return missing_.empty() ? Status::kGapReached : out_of_time();
   }
 
-  void set_infeasible(Solution& solution, bool proven) const {
+  Status out_of_time() const {
+    return deadline_.interrupted() ? Status::kInterrupted : Status::kTimeLimit;
+  }
+
+  void set_infeasible(Solution& solution, bool complete) {
     solution.cost = kInfinity;
-    if (proven || !pipeline::indices_without_arcs(problem_).empty()) {
+    is_infeasible_ =
+        (complete && shift_.is_enough) || !pipeline::indices_without_arcs(problem_).empty();
+    if (is_infeasible_) {
       solution.status = Status::kInfeasible;
       solution.lower_bound = kInfinity;
       solution.multipliers.clear();
@@ -448,7 +464,7 @@ class Pipeline {
 
   const Problem& problem_;
   const Options& options_;
-  const double most_penalty_;
+  const bool modest_;
   std::stop_source stop_;
   std::stop_callback<StopForwarder> forward_stop_;
   Monitor monitor_;
@@ -461,34 +477,19 @@ class Pipeline {
   std::vector<std::vector<bool>> covered_;    // [k][i]: whether the best packing uses the index
   std::vector<pipeline::RealIndex> missing_;  // forbidden singletons among the rest, ascending
   bool is_bounded_ = false;                   // every part has a solver and a bound
+  bool is_infeasible_ = false;
 };
-
-// Goes on where a first run ended.
-Solution run_again(const Problem& problem, const Options& options, const Solution& first) {
-  Options rest = options;
-  const double seconds = first.stats.solve_seconds;
-  rest.time_limit_s = std::max(options.time_limit_s - seconds, 1e-9);
-  if (options.progress) {
-    rest.progress = [&](Progress now) {
-      now.seconds += seconds;
-      now.lower_bound = std::max(now.lower_bound, first.lower_bound);
-      return options.progress(now);
-    };
-  }
-  Solution solution = Pipeline(problem, rest, kInfinity).run();
-  solution.stats.solve_seconds += seconds;
-  return solution;
-}
 
 }  // namespace
 
 Solution solve(const Problem& problem, const Options& options) {
   if (problem.num_dimensions() == 0) throw InputError("the problem was moved from: 0 dimensions");
   validate(options);
-  const double modest = std::max(1.0, kFirstPenalty * pipeline::largest_cost(problem));
-  Pipeline first(problem, options, modest);
-  Solution solution = first.run();
-  return first.needs_higher_penalty() ? run_again(problem, options, solution) : solution;
+  return pipeline::solve_by_penalties(options, [&](const Options& run, bool modest) {
+    Pipeline pipeline(problem, run, modest);
+    Solution solution = pipeline.run();
+    return pipeline::PenalisedRun{std::move(solution), pipeline.needs_higher_penalty()};
+  });
 }
 
 }  // namespace nda
