@@ -18,9 +18,9 @@
 namespace nda::recovery {
 namespace {
 
-constexpr double kWorkPerIndex = 5000;     // of a round
-constexpr double kMergeShare = 0.5;        // of a round, for merging
-constexpr double kMergeShareOfRest = 0.1;  // of all work that is left
+constexpr double kWorkPerIndex = 5000;  // of a round
+constexpr double kMergeShare = 0.5;     // of a round, for merging
+constexpr double kSupportShare = 0.1;   // of all work, for merging what the relaxed point uses
 constexpr std::size_t kPoolSize = 12;
 constexpr int kRoundsPerBest = 4;
 constexpr double kBetter = 1e-9;
@@ -49,7 +49,7 @@ class PoolSearch {
 
   void run() {
     if (problem_.num_arcs() == 0) return;
-    merge(options_.support);
+    merge(options_.support, kSupportShare * options_.max_work);
     if (options_.swap_work > 0 && !done()) swap();
     for (int round = 0; !done(); ++round) {
       const bool fresh = round % kRoundsPerBest != 0 || next_start_ < options_.starts.size();
@@ -128,11 +128,11 @@ class PoolSearch {
   void merge_pool() {
     Arcs arcs;
     for (const Arcs& packing : pool_) arcs.insert(arcs.end(), packing.begin(), packing.end());
-    merge(std::move(arcs));
+    merge(std::move(arcs), options_.max_work);
   }
 
   // The best packing of these arcs and those of the best one.
-  void merge(Arcs arcs) {
+  void merge(Arcs arcs, double most_work) {
     arcs.insert(arcs.end(), best_.begin(), best_.end());
     std::sort(arcs.begin(), arcs.end());
     arcs.erase(std::unique(arcs.begin(), arcs.end()), arcs.end());
@@ -142,8 +142,7 @@ class PoolSearch {
       part.add_row(problem_.price(row), problem_.capacity(row));
     for (const std::uint32_t arc : arcs) part.add_arc(problem_.reduced(arc), problem_.uses(arc));
     bnb::SlackLimits limits;
-    limits.max_work =
-        std::min(kMergeShare * round_work_, kMergeShareOfRest * (options_.max_work - work_));
+    limits.max_work = std::min({kMergeShare * round_work_, most_work, options_.max_work - work_});
     limits.deadline = options_.deadline;
     const bnb::SlackResult result = bnb::search_slack(part, best_slack_ * (1 - kBetter), limits);
     work_ += result.work + part.num_rows();
