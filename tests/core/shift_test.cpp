@@ -42,7 +42,7 @@ TEST(Shift, SaysWhetherALimitedPenaltyIsEnough) {
   const Problem problem = make_problem({2, 1}, {{{1, 0}, kInfinity}, {{2, 0}, 4}, {{1, 1}, 10}});
   const Shift enough = make_shift(problem);
   EXPECT_TRUE(enough.is_enough);
-  const Shift limited = make_shift(problem, {}, enough.penalty - 0.5);
+  const Shift limited = make_shift(problem, {}, enough.penalty - 1.5);
   EXPECT_FALSE(limited.is_enough);
   EXPECT_EQ(limited.penalty, enough.penalty - 1);
   EXPECT_TRUE(make_shift(problem, {}, enough.penalty).is_enough);
