@@ -67,26 +67,24 @@ SwapSearch::SwapSearch(const bnb::SlackProblem& problem) : problem_(problem) {
 
 void SwapSearch::list_rivals() {
   const auto num_arcs = static_cast<std::uint32_t>(arcs_.size());
-  const auto for_each_index = [&](std::uint32_t n, auto&& visit) {
-    for (const bnb::RowUse& use : problem_.index_uses(arcs_[n])) visit(use.row);
-  };
   const core::Lists<std::uint32_t> of_index(problem_.num_indices(), [&](auto&& visit) {
-    for (std::uint32_t n = 0; n < num_arcs; ++n)
-      for_each_index(n, [&](std::uint32_t index) { visit(index, n); });
+    for (std::uint32_t n = 0; n < num_arcs; ++n) {
+      for (const bnb::RowUse& use : problem_.index_uses(arcs_[n])) visit(use.row, n);
+    }
   });
   std::vector<std::uint32_t> seen_by(num_arcs, kNone);
   rivals_ = core::Lists<std::uint32_t>(num_arcs, [&](auto&& visit) {
     std::fill(seen_by.begin(), seen_by.end(), kNone);
     for (std::uint32_t n = 0; n < num_arcs; ++n) {
       seen_by[n] = n;
-      for_each_index(n, [&](std::uint32_t index) {
-        work_ += static_cast<double>(of_index[index].size());
-        for (const std::uint32_t rival : of_index[index]) {
+      for (const bnb::RowUse& use : problem_.index_uses(arcs_[n])) {
+        work_ += static_cast<double>(of_index[use.row].size());
+        for (const std::uint32_t rival : of_index[use.row]) {
           if (seen_by[rival] == n) continue;
           seen_by[rival] = n;
           visit(n, rival);
         }
-      });
+      }
     }
   });
 }

@@ -84,8 +84,12 @@ double dearest_covering(const Component& component, const std::vector<bool>& req
 Precision precision_of(const Component& component, const core::CostGrid& grid) {
   double largest = 0;
   for (const double cost : component.costs) largest = std::max(largest, std::abs(cost));
+  return precision_of(component.num_indices(), largest, grid);
+}
+
+Precision precision_of(std::size_t num_indices, double largest, const core::CostGrid& grid) {
   Precision precision;
-  precision.error = 0x1p-50 * static_cast<double>(component.num_indices()) * largest;
+  precision.error = 0x1p-50 * static_cast<double>(num_indices) * largest;
   precision.margin =
       grid.step > 16 * precision.error ? grid.step - 4 * precision.error : precision.error;
   return precision;

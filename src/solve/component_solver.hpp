@@ -27,6 +27,8 @@ struct Precision {
 /// error = 2^-50 * indices * largest |c'|, a bound on what any sum of costs or multipliers of the
 /// component rounds off; margin = step - 4 error where costs lie on a grid that coarse, else error.
 Precision precision_of(const core::Component& component, const core::CostGrid& grid);
+/// The same of any costs.
+Precision precision_of(std::size_t num_indices, double largest, const core::CostGrid& grid);
 
 /// What is known of a component.
 struct ComponentState {

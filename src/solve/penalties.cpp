@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "solve/component_solver.hpp"
 #include "solve/costs.hpp"
 
 // Any penalty gives a relaxation: solutions that pay none cost what they cost.  So a best one that
@@ -14,7 +15,6 @@ namespace {
 
 constexpr double kArcsPerDimension = 16;
 constexpr double kNegligible = 1e-9;
-constexpr double kStepsOfError = 16;  // that make a grid of no use (ComponentSolver)
 
 void add(const Stats& first, Stats& stats) {
   stats.solve_seconds += first.solve_seconds;
@@ -37,9 +37,9 @@ void keep_certificate(const Solution& first, Solution& solution) {
 
 bool hides_digits(const Problem& problem, const core::Shift& shift, const core::CostGrid& grid) {
   const double charges = problem.num_dimensions() * shift.penalty;
-  const double error = 0x1p-50 * static_cast<double>(problem.num_indices()) * charges;
-  if (grid.step > 0) return grid.step <= kStepsOfError * error;
-  return error > kNegligible * largest_cost(problem);
+  const Precision precision = precision_of(problem.num_indices(), charges, grid);
+  if (grid.step > 0) return !precision.on_grid();
+  return precision.error > kNegligible * largest_cost(problem);
 }
 
 double modest_penalty(const Problem& problem) {
