@@ -80,7 +80,8 @@ CutLoopEnd BranchAndCut::tighten(int depth) {
   loop.max_rounds = depth == 0 ? limits_.root_rounds : limits_.node_rounds;
   loop.first_patterns = depth == 0 ? limits_.root_patterns : limits_.node_patterns;
   if (depth > 0) loop.most_patterns = limits_.node_patterns;
-  loop.fix = loop.thorough = depth == 0;
+  loop.fix = depth == 0;
+  loop.thorough = depth == 0 && limits_.thorough;
   loop.proof = limits_.proof;
   loop.worthwhile = kWorthwhile;
   loop.deadline = limits_.deadline;

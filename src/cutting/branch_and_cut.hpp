@@ -19,6 +19,7 @@ struct BranchAndCutLimits {
   std::size_t root_patterns = 0;
   std::size_t node_patterns = 4;
   int node_rounds = 3;
+  bool thorough = true;  ///< CutLoopOptions::thorough at the root
   double leaf_work = LeafLimits{}.max_work;  ///< LeafLimits::max_work of a node
   core::Deadline deadline;
   ProofLog* proof = nullptr;  ///< where to write down the tree; whole if the search is exhaustive

@@ -18,6 +18,9 @@ using core::ArcId;
 
 constexpr double kFirstReach = 0.125;  // of the gap
 constexpr double kLeastLeft = 0.05;    // of the gap, beyond a circle
+// Cuts that close less than this part of the gap are not worth looking harder for: they close a
+// tenth where many arcs fight for few indices, nine tenths where targets move side by side.
+constexpr double kWorthwhile = 0.3;
 constexpr double kWidenFast = 2;
 constexpr double kWidenSlowly = 1.5;
 constexpr std::int64_t kFewNodes = 15;
@@ -90,7 +93,6 @@ class Widening {
     ++result_.nodes;
     CutLoopOptions loop;
     loop.cutoff = cutoff_;
-    loop.thorough = true;
     loop.deadline = limits_.deadline;
     loop.proof = limits_.proof;
     loop.work = &own_work_;
@@ -102,7 +104,10 @@ class Widening {
     leaf.earn(kFirstLeafWork / static_cast<double>(component_.num_indices()));
     loop.leaf = &leaf;
     const auto round = [&](const Master& point) {
-      if (result_.lower == -kInfinity) observer_.relaxed(point);
+      if (result_.lower == -kInfinity) {
+        observer_.relaxed(point);
+        lower_without_cuts_ = point.lower();
+      }
       raise(point.lower());
       return offer_(point, nullptr);
     };
@@ -110,6 +115,7 @@ class Widening {
     for (std::size_t call = 0; call < kRounds.size() && end == CutLoopEnd::kStalled; ++call) {
       if (call > 0) loop.cutoff = improve(0);
       loop.max_rounds = kRounds[call];
+      loop.thorough = cuts_pay();
       end = run_cut_loop(component_, master_, loop, round);
     }
     result_.nodes += leaf.nodes();
@@ -140,6 +146,7 @@ class Widening {
     BranchAndCutLimits limits;
     limits.max_nodes = limits_.max_nodes - result_.nodes;
     limits.root_patterns = kAllPatterns;
+    limits.thorough = cuts_pay();
     limits.deadline = limits_.deadline;
     limits.proof = limits_.proof;
     limits.pause = [&](std::int64_t nodes, double work) {
@@ -202,6 +209,11 @@ class Widening {
     return work(running) - bound_work_ >= std::max(kLeastPauseWork, kPauseShare * bound_work_);
   }
 
+  bool cuts_pay() const {
+    const double closed = master_.lower() - lower_without_cuts_;
+    return closed >= kWorthwhile * (cutoff_ - lower_without_cuts_);
+  }
+
   // For bounds.
   double work(double running) const {
     return work_of_pivots(master_.simplex_iterations(), component_.num_slots()) + own_work_ +
@@ -227,6 +239,7 @@ class Widening {
   bool exhaustive_ = false;  // the last circle holds all, and its tree was searched to the end
   bool covered_ = false;     // cover() was enough
   double primal_share_ = kPrimalShare;
+  double lower_without_cuts_ = -kInfinity;
   double first_gap_ = kInfinity;  // at the first call for better packings
   std::int64_t last_tree_nodes_ = 0;
   double own_work_ = 0;    // of searches and separation, and of all circles

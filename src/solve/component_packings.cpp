@@ -65,6 +65,7 @@ void ComponentSolver::improve(const Component& core,
     work = std::min(total, wide_work()) / (1 + kSwapsPerWork);
     dives = dive(core, live, point, kDiveShare * work);
   }
+  if (dives.empty() && improvements_>1 && is_wide()) work /= 1 + kSwapsPerWork;
   search_by_master(core, live, point, dives, work);
 }
 
@@ -113,7 +114,7 @@ void ComponentSolver::search_by_master(const Component& core,
 double ComponentSolver::swap_work(double work) {
   if (!is_wide()) return 0;
   swap_credit_ += kSwapsPerWork * work;
-  return swap_credit_ < kLeastSwapWork ? 0 : std::exchange(swap_credit_, 0);
+  return swap_credit_ < least_swap_work_ ? 0 : std::exchange(swap_credit_, 0);
 }
 
 void ComponentSolver::search(double work) {

@@ -132,6 +132,7 @@ class ComponentSolver {
   Monitor& monitor_;
   const Precision precision_;
   static constexpr double kLeastSwapWork = 2e7;
+  static constexpr double kLeastSwapWorkPerArc = 2e4;
   // For the bound: what took it already may take long.
   static constexpr double kHardWork = 1.5e8;
 
@@ -142,7 +143,9 @@ class ComponentSolver {
   bool searched_ = false;
   double next_wide_search_ = kHardWork;
   int improvements_ = 0;
-  double swap_credit_ = kLeastSwapWork;  // the first search by swaps is not too late
+  const double least_swap_work_ =
+      std::min(kLeastSwapWork, kLeastSwapWorkPerArc * static_cast<double>(component_.num_arcs()));
+  double swap_credit_ = least_swap_work_;  // the first search by swaps is not too late
   double certify_s_ = 0;                 // what making multipliers feasible took
   double allowed_gap_ = 0;               // absolute, that ends the second stage
   double dearest_ = 0;  // if any packing covers all required slots, one costs no more
