@@ -150,11 +150,13 @@ LagrangianResult maximize_dual(const Component& component,
   dual::maximize(method, loop.function(), start, limits, [&](const dual::Iterate& iterate) {
     return loop.observe(iterate);
   });
-  loop.recover_at_best();
-
+  std::vector<double> u = loop.best_multipliers();
+  const double lower =
+      options.certify ? make_feasible(component, u, options.deadline) : -kInfinity;
+  if (!options.settle || !options.settle(u, lower)) loop.recover_at_best();
   LagrangianResult result = std::move(loop.result());
-  result.u = loop.best_multipliers();
-  if (options.certify) result.lower = make_feasible(component, result.u, options.deadline);
+  result.u = std::move(u);
+  result.lower = lower;
   return result;
 }
 

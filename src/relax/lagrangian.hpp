@@ -13,6 +13,8 @@ namespace nda::relax {
 
 /// Makes a packing from the last evaluation of the dual function; injected by the layer above.
 using Recover = std::function<core::Packing(const DualFunction& point)>;
+/// Whether there is nothing left to recover, as feasible multipliers and their bound settle it.
+using Settle = std::function<bool(std::span<const double> u, double lower)>;
 
 struct LagrangianOptions {
   DualMethod dual_method = DualMethod::kBundleTrust;
@@ -27,6 +29,7 @@ struct LagrangianOptions {
   bool always_recover = true;  ///< once, however little time is left
   double goal = kInfinity;     ///< stop once the bound reaches it: nothing cheaper is wanted
   bool certify = true;  ///< make the multipliers feasible at the end: without it lower is -inf
+  Settle settle;        ///< asked before the recovery at the best point; may be empty
   core::Deadline deadline;
   double certify_s = 0;  ///< what is kept of the time until the deadline for that end
 };

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "bnb/component_slack.hpp"
 #include "bnb/cover.hpp"
@@ -83,6 +84,8 @@ void ComponentSolver::settle_best(std::span<const double> u,
 // Where there is no gap and the multipliers are optimal, all that is in an optimal packing costs
 // next to nothing beyond them, and little else does (complementary slackness).
 void ComponentSolver::search_nearly_free() {
+  // A better packing leaves less to look for, only better multipliers leave more.
+  if (std::exchange(searched_free_at_, state_.certificate) == state_.certificate) return;
   double largest = 0;
   for (const double cost : component_.costs) largest = std::max(largest, std::abs(cost));
   bnb::SlackLimits limits;

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "bnb/branch_and_bound.hpp"
+#include "core/double_double.hpp"
 #include "core/random.hpp"
 #include "core/reduced_costs.hpp"
 #include "cutting/leaf_search.hpp"
@@ -63,7 +64,8 @@ bnb::Reduction reduce(const Component& component, const bnb::NodeBound& bound, d
 }
 
 // If any packing covers all required slots, one does that costs no more: it has no other arcs, and
-// the required slots of an arc share its cost.
+// the required slots of an arc share its cost.  In double-double, since a bound that rounding lifts
+// above it would prove that there is none.
 double dearest_covering(const Component& component, const std::vector<bool>& required) {
   std::vector<double> share(component.num_slots(), -kInfinity);
   for (ArcId a = 0; a < component.num_arcs(); ++a) {
@@ -73,10 +75,13 @@ double dearest_covering(const Component& component, const std::vector<bool>& req
       share[slot] = std::max(share[slot], component.costs[a] / std::max(1, count));
     });
   }
+  core::DoubleDouble total;
   for (std::size_t slot = 0; slot < share.size(); ++slot) {
-    if (!required[slot]) share[slot] = 0;
+    if (!required[slot]) continue;
+    if (share[slot] == -kInfinity) return -kInfinity;
+    total.add(share[slot]);
   }
-  return std::accumulate(share.begin(), share.end(), 0.0);
+  return total.high();
 }
 
 }  // namespace
@@ -283,6 +288,12 @@ void ComponentSolver::relax() {
       const auto many = static_cast<int>(component_.num_indices() / kIndicesPerEvaluation);
       loop.max_evaluations = std::min(loop.max_evaluations, std::max(kEvaluationsBeforeLp, many));
       loop.recovery_interval = 0;
+      // Where there is no gap, that needs no packing to begin with.
+      loop.settle = [&](std::span<const double> u, double lower) {
+        accept_multipliers({u.begin(), u.end()}, lower, "relaxation");
+        search_nearly_free();
+        return state_.complete;
+      };
     } else {
       loop.first_recovery = loop.recovery_interval =
           std::max(loop.recovery_interval, kLargeInterval);

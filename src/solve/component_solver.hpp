@@ -141,6 +141,7 @@ class ComponentSolver {
   bool enumerated_ = false;
   bool searched_cliques_ = false;  // to the end
   bool searched_ = false;
+  double searched_free_at_ = -kInfinity;  // the certificate then
   double next_wide_search_ = kHardWork;
   int improvements_ = 0;
   const double least_swap_work_ =

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "support/components.hpp"
@@ -64,6 +65,25 @@ TEST(MaximizeDual, ReachesTheLpValueOfTinyProblems) {
         EXPECT_NEAR(result.lower + constant, *tiny.lp_value, 1e-6);
       }
     }
+  }
+}
+
+TEST(MaximizeDual, AsksWhetherThereIsAnythingToRecover) {
+  const Component component = slow_component();
+  for (const bool settled : {false, true}) {
+    int asked = 0;
+    LagrangianOptions options;
+    options.recovery_interval = 0;
+    options.settle = [&](std::span<const double> u, double lower) {
+      ++asked;
+      EXPECT_EQ(support::multiplier_fault(component, u), "");
+      EXPECT_DOUBLE_EQ(lower, sum_of(u));
+      return settled;
+    };
+    const LagrangianResult result = maximize_dual(component, {}, options, recover_nothing);
+    expect_valid(component, result);
+    EXPECT_EQ(asked, 1);
+    EXPECT_EQ(result.recoveries, settled ? 0 : 1);
   }
 }
 
