@@ -17,7 +17,7 @@ struct BranchAndCutLimits {
   std::int64_t max_nodes = 0;
   int root_rounds = 200;
   std::size_t root_patterns = 0;
-  std::size_t node_patterns = 4;
+  std::size_t node_patterns = 4;  ///< of cuts; those over three indices are always looked for
   int node_rounds = 3;
   bool thorough = true;  ///< CutLoopOptions::thorough at the root
   double leaf_work = LeafLimits{}.max_work;  ///< LeafLimits::max_work of a node

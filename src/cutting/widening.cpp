@@ -16,11 +16,13 @@ namespace {
 
 using core::ArcId;
 
-constexpr double kFirstReach = 0.125;  // of the gap
+constexpr double kFirstReach = 0.25;  // of the gap
 constexpr double kLeastLeft = 0.05;    // of the gap, beyond a circle
-// Cuts that close less than this part of the gap are not worth looking harder for: they close a
-// tenth where many arcs fight for few indices, nine tenths where targets move side by side.
+// Cuts that close less than this part of the gap are not worth looking harder for, nor looking for
+// at every node: they close a tenth where many arcs fight for few indices, nine tenths where
+// targets move side by side.
 constexpr double kWorthwhile = 0.3;
+constexpr double kWidenAtOnce = 4;  // where packings seem to be as good as they get
 constexpr double kWidenFast = 2;
 constexpr double kWidenSlowly = 1.5;
 constexpr std::int64_t kFewNodes = 15;
@@ -72,8 +74,7 @@ class Widening {
       while (search(master_.lower() + reach)) {
         improve(0);
         if (cover(0)) break;
-        const bool fast = last_tree_nodes_ < kFewNodes || primal_share_ < kPrimalShare;
-        reach *= fast ? kWidenFast : kWidenSlowly;
+        reach *= widening();
       }
     }
     result_.complete = result_.lower >= cutoff_;
@@ -147,6 +148,7 @@ class Widening {
     limits.max_nodes = limits_.max_nodes - result_.nodes;
     limits.root_patterns = kAllPatterns;
     limits.thorough = cuts_pay();
+    if (!limits.thorough) limits.node_patterns = 0;
     limits.deadline = limits_.deadline;
     limits.proof = limits_.proof;
     limits.pause = [&](std::int64_t nodes, double work) {
@@ -209,6 +211,12 @@ class Widening {
     return work(running) - bound_work_ >= std::max(kLeastPauseWork, kPauseShare * bound_work_);
   }
 
+  double widening() const {
+    if (primal_share_ <= kPrimalShare / 4) return kWidenAtOnce;
+    if (primal_share_ < kPrimalShare || last_tree_nodes_ < kFewNodes) return kWidenFast;
+    return kWidenSlowly;
+  }
+
   bool cuts_pay() const {
     const double closed = master_.lower() - lower_without_cuts_;
     return closed >= kWorthwhile * (cutoff_ - lower_without_cuts_);
@@ -239,7 +247,7 @@ class Widening {
   bool exhaustive_ = false;  // the last circle holds all, and its tree was searched to the end
   bool covered_ = false;     // cover() was enough
   double primal_share_ = kPrimalShare;
-  double lower_without_cuts_ = -kInfinity;
+  double lower_without_cuts_ = kInfinity;
   double first_gap_ = kInfinity;  // at the first call for better packings
   std::int64_t last_tree_nodes_ = 0;
   double own_work_ = 0;    // of searches and separation, and of all circles

@@ -60,12 +60,15 @@ void ComponentSolver::improve(const Component& core,
     if (searched_) return;
     search(0);
     work = first_work();
-  } else if (total >= next_wide_search_ && is_wide()) {
-    next_wide_search_ = 2 * total;
-    work = std::min(total, wide_work()) / (1 + kSwapsPerWork);
-    dives = dive(core, live, point, kDiveShare * work);
+  } else if (is_wide()) {
+    const bool is_due = total >= next_wide_search_;
+    if (is_due) {
+      next_wide_search_ = 2 * total;
+      work = std::min(total, wide_work());
+    }
+    work /= 1 + kSwapsPerWork;
+    if (is_due) dives = dive(core, live, point, kDiveShare * work);
   }
-  if (dives.empty() && improvements_>1 && is_wide()) work /= 1 + kSwapsPerWork;
   search_by_master(core, live, point, dives, work);
 }
 
