@@ -16,8 +16,9 @@ namespace {
 
 using core::ArcId;
 
-constexpr double kFirstReach = 0.25;  // of the gap
-constexpr double kLeastLeft = 0.05;    // of the gap, beyond a circle
+constexpr double kFirstReach = 0.25;              // of the gap
+constexpr double kFirstReachWithoutCuts = 0.125;  // circles that end are all that raises the bound
+constexpr double kLeastLeft = 0.05;               // of the gap, beyond a circle
 // Cuts that close less than this part of the gap are not worth looking harder for, nor looking for
 // at every node: they close a tenth where many arcs fight for few indices, nine tenths where
 // targets move side by side.
@@ -70,7 +71,7 @@ class Widening {
 
   WideningResult run() {
     if (limits_.max_nodes > 0 && tighten()) {
-      double reach = kFirstReach * (cutoff_ - master_.lower());
+      double reach = first_reach() * (cutoff_ - master_.lower());
       while (search(master_.lower() + reach)) {
         improve(0);
         if (cover(0)) break;
@@ -211,8 +212,10 @@ class Widening {
     return work(running) - bound_work_ >= std::max(kLeastPauseWork, kPauseShare * bound_work_);
   }
 
+  double first_reach() const { return cuts_pay() ? kFirstReach : kFirstReachWithoutCuts; }
+
   double widening() const {
-    if (primal_share_ <= kPrimalShare / 4) return kWidenAtOnce;
+    if (primal_share_ <= kPrimalShare / 4 && cuts_pay()) return kWidenAtOnce;
     if (primal_share_ < kPrimalShare || last_tree_nodes_ < kFewNodes) return kWidenFast;
     return kWidenSlowly;
   }
