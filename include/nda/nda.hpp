@@ -7,6 +7,7 @@
 #include "nda/check.hpp"
 #include "nda/generate.hpp"
 #include "nda/io.hpp"
+#include "nda/k_best.hpp"
 #include "nda/options.hpp"
 #include "nda/problem.hpp"
 #include "nda/proof.hpp"

@@ -1,8 +1,11 @@
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,7 +15,7 @@
 #include "cli/progress_log.hpp"
 #include "core/option_table.hpp"
 #include "nda/io.hpp"
-#include "nda/solve.hpp"
+#include "nda/k_best.hpp"
 
 namespace nda::cli {
 namespace {
@@ -30,11 +33,14 @@ struct SolveArguments {
   std::string output;
   std::string proof;
   std::vector<Setting> settings;  // applied in this order
+  std::size_t k = 1;
   double log_interval_s = 0.1;
   bool json = false;
   bool quiet = false;
   bool verbose = false;
 };
+
+constexpr std::size_t kShownRanks = 20;
 
 // Set by the first Ctrl-C; the second kills, as usual.
 volatile std::sig_atomic_t interrupted = 0;
@@ -134,6 +140,35 @@ void print_summary(const Solution& solution) {
         solution.stats.solve_seconds);
 }
 
+// How many arcs of a solution, best first and lexicographic, another one lacks.
+std::size_t num_missing(const RankedSolution& solution, const RankedSolution& other) {
+  std::vector<std::vector<Index>> missing;
+  std::set_difference(solution.arcs.begin(),
+                      solution.arcs.end(),
+                      other.arcs.begin(),
+                      other.arcs.end(),
+                      std::back_inserter(missing));
+  return missing.size();
+}
+
+void print_ranks(const Solution& solution, bool all) {
+  const std::vector<RankedSolution>& ranks = solution.solutions;
+  if (ranks.empty()) return;
+  print("ranks         %zu, %zu of them proven\n\n", ranks.size(), num_proven(solution));
+  print("%10s %18s %14s %8s %8s\n", "rank", "cost", "above best", "arcs in", "arcs out");
+  const std::size_t shown = all ? ranks.size() : std::min(ranks.size(), kShownRanks);
+  for (const RankedSolution& rank : std::span(ranks).first(shown)) {
+    print("%10d %18.6f %14.6g %8zu %8zu%s\n",
+          rank.rank,
+          rank.cost,
+          rank.cost - ranks.front().cost,
+          num_missing(rank, ranks.front()),
+          num_missing(ranks.front(), rank),
+          rank.proven ? "" : "  (not proven)");
+  }
+  if (shown < ranks.size()) print("%10s and %zu more\n", "...", ranks.size() - shown);
+}
+
 int exit_code(const Solution& solution) {
   if (solution.solutions.empty()) return kNoAnswer;
   const bool answered = solution.status == Status::kOptimal ||
@@ -170,7 +205,7 @@ int solve_file(const SolveArguments& arguments) {
     return interrupted == 0;
   };
   std::signal(SIGINT, on_interrupt);
-  Solution solution = solve(problem, options);
+  Solution solution = solve_k_best(problem, arguments.k, options);
   solution.stats.read_seconds = read_seconds;
   if (!arguments.output.empty() && arguments.output != "-") {
     write_solution(solution, arguments.output);
@@ -185,11 +220,13 @@ int solve_file(const SolveArguments& arguments) {
     std::cout << solution_to_json(solution);
   } else {
     print_summary(solution);
+    if (arguments.k > 1) print_ranks(solution, arguments.verbose);
     if (arguments.verbose) {
       print_components(solution);
       print_reductions(solution);
     }
   }
+  if (num_proven(solution) < solution.solutions.size() && arguments.k > 1) return kStopped;
   return exit_code(solution);
 }
 
@@ -248,6 +285,7 @@ void add_settings(CLI::App& parser, const std::shared_ptr<SolveArguments>& argum
 Action declare_solve(CLI::App& parser) {
   const auto arguments = std::make_shared<SolveArguments>();
   parser.add_option("file", arguments->file, "arc file, '-' for standard input")->required();
+  parser.add_option("--k", arguments->k, "how many solutions, the best ones")->check(at_least(1));
   add_settings(parser, arguments);
   parser
       .add_option(
@@ -274,7 +312,8 @@ Action declare_solve(CLI::App& parser) {
       "\n"
       "Example:\n"
       "  nda solve window.nda.gz --time-limit 10 --output window.json\n"
-      "  nda check window.nda.gz window.json");
+      "  nda check window.nda.gz window.json\n"
+      "  nda solve window.nda.gz --k 10");
   return [arguments] { return solve_file(*arguments); };
 }
 

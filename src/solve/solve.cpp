@@ -70,7 +70,7 @@ class Pipeline {
       : problem_(problem),
         options_(options),
         modest_(modest),
-        forward_stop_(options.stop, StopForwarder{stop_}),
+        forward_stop_(options.stop, pipeline::StopForwarder{stop_}),
         monitor_(options.progress, stop_),
         deadline_(work_limit(), stop_.get_token(), &heartbeat_) {}
 
@@ -89,11 +89,6 @@ class Pipeline {
   }
 
  private:
-  struct StopForwarder {
-    std::stop_source source;
-    void operator()() { source.request_stop(); }
-  };
-
   double work_limit() const {
     const double entries =
         static_cast<double>(problem_.num_arcs()) * static_cast<double>(problem_.num_dimensions());
@@ -466,7 +461,7 @@ class Pipeline {
   const Options& options_;
   const bool modest_;
   std::stop_source stop_;
-  std::stop_callback<StopForwarder> forward_stop_;
+  std::stop_callback<pipeline::StopForwarder> forward_stop_;
   Monitor monitor_;
   const std::function<void()> heartbeat_ = [this] { monitor_.heartbeat(); };
   core::Deadline deadline_;

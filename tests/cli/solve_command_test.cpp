@@ -35,6 +35,19 @@ TEST(SolveCommand, PrintsASummaryAndWritesTheSolution) {
   EXPECT_EQ(run(folder, "nda check a.nda a.json").code, 0);
 }
 
+// Four solutions: one arc each, or none.
+TEST(SolveCommand, RanksSolutions) {
+  const TemporaryFolder folder;
+  write_file(folder / "a.nda", kProblem);
+  const Outcome outcome = run(folder, "nda solve a.nda --k 9 -o a.json");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.output,
+              AllOf(HasSubstr("ranks         4, 4 of them proven\n"),
+                    HasSubstr("         4           0.000000              1        0        1\n")));
+  EXPECT_EQ(run(folder, "nda check a.nda a.json").code, 0);
+  EXPECT_EQ(run(folder, "nda solve a.nda --k 0").code, 2);
+}
+
 TEST(SolveCommand, EndsItsLogWithTheClosedGap) {
   const TemporaryFolder folder;
   write_file(folder / "a.nda", "p nda 3 2 2 1 3\na 1 1 1 -5\na 1 2 1 -6\na 2 2 0 -4\n");

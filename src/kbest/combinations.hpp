@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace nda::kbest {
+
+/// A set of arcs, as a number that `Combinations` understands.
+using Combination = std::uint32_t;
+inline constexpr Combination kNothing = 0;
+
+/// Sets of arcs that share their parts: joining two takes constant time and memory, whatever they
+/// hold.  So a list of thousands of solutions that differ here and there stays small.
+class Combinations {
+ public:
+  Combination single(std::uint32_t arc) { return add({arc, kLeaf}); }
+  /// The two must be disjoint.
+  Combination join(Combination a, Combination b) {
+    if (a == kNothing) return b;
+    return b == kNothing ? a : add({a, b});
+  }
+  /// The arcs, in no particular order.  Cost: their number.
+  std::vector<std::uint32_t> arcs(Combination combination) const;
+
+ private:
+  struct Pair {
+    std::uint32_t first;  // of a leaf: the arc
+    std::uint32_t second;
+  };
+  static constexpr std::uint32_t kLeaf = ~std::uint32_t{0};
+
+  Combination add(Pair pair) {
+    pairs_.push_back(pair);
+    return static_cast<Combination>(pairs_.size() - 1);
+  }
+
+  std::vector<Pair> pairs_ = {{0, 0}};  // the first is kNothing
+};
+
+/// A packing and the terms of its cost that the search for it is about.
+struct Ranked {
+  double slack = 0;
+  Combination arcs = kNothing;
+};
+
+/// Packings of least slack, ascending.
+using RankedList = std::vector<Ranked>;
+
+/// Merges `more` into `list`, both ascending, and keeps the k least.
+void merge_ranked(RankedList& list, const RankedList& more, std::size_t k);
+
+/// One of each list, in all ways: the k least sums below `budget`, ascending.  Lazy: O(k log k).
+/// Source: the frontier of Lawler (1972) for sums of two lists.
+RankedList combine_ranked(const RankedList& a,
+                          const RankedList& b,
+                          std::size_t k,
+                          double budget,
+                          Combinations& combinations);
+
+}  // namespace nda::kbest

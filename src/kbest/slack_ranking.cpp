@@ -1,0 +1,158 @@
+#include "kbest/slack_ranking.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "bnb/slack_moves.hpp"
+
+// The search of bnb/slack_search for the k best instead of the best one.  The slack of any packing
+// is a sum of terms >= 0, so whoever wants all packings within a budget may prune as one who wants
+// the least: nothing in settle, ascend and force loses a packing within the budget.  Three things
+// differ.
+//
+//   Rows of price 0 stay open: arcs that gain nothing make another packing all the same.
+//   A node returns a list.  Where it divides, the k best sums of its parts' lists are found lazily
+//   (Lawler 1972); where it branches, lists are merged.  Children exclude each other, so no packing
+//   is found twice.
+//   The budget of a node falls to the k-th best of its list: what one part contributes to the k
+//   best of the whole is among the k best of the part.
+//
+// That is ranking by AND/OR search; Marinescu & Dechter have it for graphical models.  Murty's
+// partition (1968) instead solves a problem anew for every rank.
+
+namespace nda::kbest {
+namespace {
+
+using bnb::OpenArc;
+using bnb::OpenRow;
+using bnb::SlackMoves;
+using bnb::SlackNode;
+
+constexpr std::size_t kMostDepth = 20000;
+
+class Ranking {
+ public:
+  Ranking(const bnb::SlackProblem& problem,
+          double budget,
+          std::size_t k,
+          const bnb::SlackLimits& limits,
+          std::span<const std::uint32_t> names,
+          Combinations& combinations)
+      : problem_(problem),
+        k_(k),
+        names_(names),
+        combinations_(combinations),
+        moves_(problem, budget, limits, bnb::FreeRows::kKeep) {}
+
+  SlackRanking run(double budget) {
+    moves_.open(node(0));
+    SlackRanking result;
+    result.packings = solve(0, budget);
+    result.complete = !moves_.stopped();
+    result.nodes = moves_.nodes();
+    result.work = moves_.work();
+    return result;
+  }
+
+ private:
+  SlackNode& node(std::size_t depth) {
+    while (nodes_at_.size() <= depth) nodes_at_.push_back(std::make_unique<SlackNode>());
+    return *nodes_at_[depth];
+  }
+
+  // What a list may still take.
+  double limit(const RankedList& list, double budget) const {
+    return list.size() < k_ ? budget : std::min(budget, list.back().slack);
+  }
+
+  // The k least below the budget.
+  RankedList solve(std::size_t depth, double budget) {
+    SlackNode& here = node(depth);
+    here.forced.clear();
+    double spent = 0;
+    do {
+      if (moves_.is_stopped() || depth > kMostDepth) {
+        moves_.stop();
+        return {};
+      }
+      if (!moves_.settle(here, spent, budget) || !moves_.ascend(here, spent, budget)) return {};
+    } while (moves_.force(here, spent, budget));
+    Combination forced = kNothing;
+    for (const std::uint32_t arc : here.forced)
+      forced = combinations_.join(forced, combinations_.single(names_[arc]));
+    RankedList list = here.rows.empty() ? RankedList{{0, kNothing}} : divide(depth, budget - spent);
+    return extend(std::move(list), spent, forced);
+  }
+
+  // Adds the same to all.
+  RankedList extend(RankedList list, double slack, Combination arcs) {
+    for (Ranked& ranked : list)
+      ranked = {ranked.slack + slack, combinations_.join(arcs, ranked.arcs)};
+    return list;
+  }
+
+  RankedList divide(std::size_t depth, double budget) {
+    return moves_.falls_apart(node(depth)) ? solve_parts(depth, budget) : branch(depth, budget);
+  }
+
+  RankedList solve_parts(std::size_t depth, double budget) {
+    SlackNode& here = node(depth);
+    RankedList list = {{0, kNothing}};
+    for (std::size_t p = 0; p < here.parts.size() && !list.empty(); ++p) {
+      SlackNode& part = node(depth + 1);
+      here.parts.copy(p, here.arcs, here.rows, part.arcs, part.rows);
+      part.may_split = false;
+      const RankedList found = solve(depth + 1, budget - list.front().slack);
+      list = combine_ranked(list, found, k_, budget, combinations_);
+    }
+    return list;
+  }
+
+  RankedList branch(std::size_t depth, double budget) {
+    SlackNode& here = node(depth);
+    const OpenRow row = moves_.narrowest(here, budget);
+    moves_.list_choices(here, row.row);
+    RankedList list;
+    for (const OpenArc choice : here.choices) {
+      const double left = limit(list, budget) - choice.reduced;
+      if (moves_.stopped() || !(left > 0)) break;
+      moves_.occupy(choice.arc);
+      moves_.take(here, std::span(&choice.arc, 1), left, node(depth + 1));
+      merge(list, solve(depth + 1, left), choice.reduced, combinations_.single(names_[choice.arc]));
+      // More arcs may fit into a cut: not in every order.
+      if (row.row >= problem_.num_indices()) SlackMoves::drop(here, choice.arc);
+    }
+    const double price = row.left * row.price;
+    const double left = limit(list, budget) - price;
+    if (moves_.stopped() || !(left > 0)) return list;
+    moves_.leave(here, row.row, node(depth + 1));
+    merge(list, solve(depth + 1, left), price, kNothing);
+    return list;
+  }
+
+  void merge(RankedList& list, RankedList more, double slack, Combination arcs) {
+    merge_ranked(list, extend(std::move(more), slack, arcs), k_);
+  }
+
+  const bnb::SlackProblem& problem_;
+  const std::size_t k_;
+  const std::span<const std::uint32_t> names_;
+  Combinations& combinations_;
+  SlackMoves moves_;
+  std::vector<std::unique_ptr<SlackNode>> nodes_at_;  // by depth
+};
+
+}  // namespace
+
+SlackRanking rank_slack(const bnb::SlackProblem& problem,
+                        double budget,
+                        std::size_t k,
+                        const bnb::SlackLimits& limits,
+                        std::span<const std::uint32_t> names,
+                        Combinations& combinations) {
+  return Ranking(problem, budget, k, limits, names, combinations).run(budget);
+}
+
+}  // namespace nda::kbest

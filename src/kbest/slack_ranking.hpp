@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "bnb/slack_search.hpp"
+#include "kbest/combinations.hpp"
+
+namespace nda::kbest {
+
+struct SlackRanking {
+  RankedList packings;    ///< of least slack, ascending
+  bool complete = false;  ///< these are the k best below the budget, or all of them
+  std::int64_t nodes = 0;
+  double work = 0;  ///< as limited
+};
+
+/// The k packings of least slack among those below a finite `budget`; packings are equal where
+/// their arcs are.
+/// @param names  [arc of the problem]: what it is called in `combinations`.
+///
+/// Deterministic unless the deadline strikes.  Cost: exponential in the worst case; memory
+/// O(depth * (arcs + k)) and one pair for every packing of any part that was looked at.
+SlackRanking rank_slack(const bnb::SlackProblem& problem,
+                        double budget,
+                        std::size_t k,
+                        const bnb::SlackLimits& limits,
+                        std::span<const std::uint32_t> names,
+                        Combinations& combinations);
+
+}  // namespace nda::kbest

@@ -1,0 +1,203 @@
+#include "nda/k_best.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stop_token>
+#include <utility>
+#include <vector>
+
+#include "nda/check.hpp"
+#include "nda/solve.hpp"
+#include "support/random_problems.hpp"
+
+namespace nda {
+namespace {
+
+using ::testing::IsEmpty;
+
+// The costs of all solutions by going through all sets of arcs that share no index, ascending.
+class AllCosts {
+ public:
+  explicit AllCosts(const Problem& problem) : problem_(problem) {
+    for (const Index size : problem.sizes()) used_.emplace_back(size + std::size_t{1}, false);
+    extend(0, 0.0L);
+    std::sort(costs_.begin(), costs_.end());
+  }
+
+  const std::vector<double>& operator*() const { return costs_; }
+
+ private:
+  void extend(std::size_t a, long double cost) {
+    if (a == problem_.num_arcs()) {
+      cost += of_uncovered();
+      if (cost < kInfinity) costs_.push_back(static_cast<double>(cost));
+      return;
+    }
+    extend(a + 1, cost);
+    const std::vector<Index> tuple = problem_.arc(a);
+    for (std::size_t k = 0; k < tuple.size(); ++k) {
+      if (tuple[k] != 0 && used_[k][tuple[k]]) return;
+    }
+    mark(tuple, true);
+    extend(a + 1, cost + problem_.costs()[a]);
+    mark(tuple, false);
+  }
+
+  void mark(const std::vector<Index>& tuple, bool used) {
+    for (std::size_t k = 0; k < tuple.size(); ++k) {
+      if (tuple[k] != 0) used_[k][tuple[k]] = used;
+    }
+  }
+
+  long double of_uncovered() const {
+    long double cost = 0;
+    for (int k = 0; k < problem_.num_dimensions(); ++k) {
+      for (Index i = 1; i <= problem_.size(k); ++i) {
+        if (!used_[static_cast<std::size_t>(k)][i]) cost += problem_.singleton_costs(k)[i];
+      }
+    }
+    return cost;
+  }
+
+  const Problem& problem_;
+  std::vector<std::vector<bool>> used_;
+  std::vector<double> costs_;
+};
+
+// No more than rounding apart, for sums of costs of that size.
+void expect_costs(const Problem& problem,
+                  const std::vector<double>& all,
+                  std::size_t k,
+                  const Solution& solution) {
+  ASSERT_EQ(solution.solutions.size(), std::min(k, all.size()));
+  double size = 0;
+  for (const double cost : problem.costs()) size += std::abs(cost);
+  for (int d = 0; d < problem.num_dimensions(); ++d) {
+    for (const double cost : problem.singleton_costs(d))
+      size += cost < kInfinity ? std::abs(cost) : 0;
+  }
+  for (std::size_t r = 0; r < solution.solutions.size(); ++r)
+    EXPECT_NEAR(solution.solutions[r].cost, all[r], 1e-9 * size) << "rank " << r + 1;
+}
+
+void expect_sound(const Problem& problem, const Solution& solution) {
+  EXPECT_THAT(check(problem, solution).faults, IsEmpty());
+  std::set<std::vector<std::vector<Index>>> different;
+  for (std::size_t r = 0; r < solution.solutions.size(); ++r) {
+    EXPECT_EQ(solution.solutions[r].rank, static_cast<int>(r) + 1);
+    EXPECT_TRUE(different.insert(solution.solutions[r].arcs).second) << "rank " << r + 1;
+  }
+}
+
+TEST(KBest, AgreesWithBruteForce) {
+  int ranked = 0;
+  for (std::uint64_t seed = 1; seed <= 5000; ++seed) {
+    const support::RandomCase random = support::random_case(seed);
+    SCOPED_TRACE(random.description);
+    const AllCosts all(random.problem);
+    if ((*all).size() > 5000) continue;
+    for (const std::size_t k : {std::size_t{2}, std::size_t{7}, (*all).size() + 1}) {
+      const Solution solution = solve_k_best(random.problem, k);
+      if (solution.status == Status::kPrecisionLost) continue;
+      expect_sound(random.problem, solution);
+      expect_costs(random.problem, *all, k, solution);
+      EXPECT_EQ(num_proven(solution), solution.solutions.size());
+      ++ranked;
+    }
+    if (HasFatalFailure() || HasNonfatalFailure()) break;
+  }
+  EXPECT_GT(ranked, 10000);
+}
+
+// Eight rows and columns, all pairs: far more solutions than are asked for.
+Problem square(std::uint64_t seed) {
+  support::RandomProblemOptions options;
+  options.sizes = {8, 8, 8};
+  options.num_arcs = 300;
+  return support::random_problem(seed, options);
+}
+
+std::vector<double> costs_of(const Solution& solution) {
+  std::vector<double> costs;
+  for (const RankedSolution& ranked : solution.solutions) costs.push_back(ranked.cost);
+  return costs;
+}
+
+TEST(KBest, BeginsWithTheBest) {
+  const Problem problem = square(1);
+  const Solution best = solve(problem);
+  const std::vector<double> hundred = costs_of(solve_k_best(problem, 100));
+  ASSERT_EQ(hundred.size(), 100u);
+  EXPECT_DOUBLE_EQ(hundred.front(), best.cost);
+  EXPECT_EQ(costs_of(solve_k_best(problem, 1)), std::vector<double>{best.cost});
+  const std::vector<double> ten = costs_of(solve_k_best(problem, 10));
+  for (std::size_t r = 0; r < 10; ++r) EXPECT_NEAR(ten[r], hundred[r], 1e-9);
+}
+
+TEST(KBest, NeedsAtLeastOneSolution) {
+  EXPECT_THROW(solve_k_best(square(1), 0), InputError);
+}
+
+TEST(KBest, HasNothingToRankWhereThereIsNoSolution) {
+  ProblemBuilder builder({2, 1});
+  builder.add_arc({1, 1}, 3);
+  builder.add_arc({2, 1}, 4);
+  builder.add_arc({1, 0}, kInfinity);
+  builder.add_arc({2, 0}, kInfinity);
+  const Solution solution = solve_k_best(std::move(builder).build(), 5);
+  EXPECT_EQ(solution.status, Status::kInfeasible);
+  EXPECT_THAT(solution.solutions, IsEmpty());
+}
+
+// Where nothing is proven, what differs by one arc follows, without a claim.
+TEST(KBest, ClaimsNothingOfWhatALimitLeftOpen) {
+  const Problem problem = square(2);
+  for (const std::int64_t max_nodes : {0, 1, 30}) {
+    Options options;
+    options.branch.max_nodes = max_nodes;
+    const Solution solution = solve_k_best(problem, 20, options);
+    ASSERT_EQ(solution.solutions.size(), 20u);
+    expect_sound(problem, solution);
+    const std::vector<double> truth = costs_of(solve_k_best(problem, 20));
+    for (std::size_t r = 0; r < 20; ++r) {
+      EXPECT_GE(solution.solutions[r].cost, truth[r] - 1e-9);
+      if (solution.solutions[r].proven) {
+        EXPECT_NEAR(solution.solutions[r].cost, truth[r], 1e-9);
+      }
+    }
+  }
+}
+
+TEST(KBest, StopsRankingOnDemand) {
+  Options options;
+  std::stop_source source;
+  source.request_stop();
+  options.stop = source.get_token();
+  const Solution solution = solve_k_best(square(3), 10, options);
+  EXPECT_EQ(num_proven(solution), 0u);
+  expect_sound(square(3), solution);
+}
+
+// Costs times a power of two and with a charge for every index of one dimension rank alike.
+TEST(KBest, RanksScaledAndShiftedProblemsAlike) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Problem problem = square(seed);
+    ProblemBuilder builder({8, 8, 8});
+    for (std::size_t a = 0; a < problem.num_arcs(); ++a) {
+      const std::vector<Index> tuple = problem.arc(a);
+      builder.add_arc(tuple, 4 * problem.costs()[a] + (tuple[1] != 0 ? 100 : 0));
+    }
+    for (Index i = 1; i <= 8; ++i) builder.add_arc({0, i, 0}, 100);
+    const std::vector<double> costs = costs_of(solve_k_best(problem, 40));
+    const std::vector<double> other = costs_of(solve_k_best(std::move(builder).build(), 40));
+    ASSERT_EQ(costs.size(), other.size());
+    for (std::size_t r = 0; r < costs.size(); ++r) EXPECT_NEAR(other[r], 4 * costs[r] + 800, 1e-7);
+  }
+}
+
+}  // namespace
+}  // namespace nda
