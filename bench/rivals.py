@@ -165,7 +165,7 @@ def parse_arguments():
     parser.add_argument("--setups", type=names, default=list(setups.RUN))
     parser.add_argument("--again", type=names, default=[], metavar="SOLVER")
     parser.add_argument("--nda", type=pathlib.Path, default=DEFAULT_NDA)
-    parser.add_argument("--warm", type=pathlib.Path, help="of the same nda, times its proofs; built if there is none")
+    parser.add_argument("--warm", type=pathlib.Path, help="of the same nda, times its proofs; built for the nda of build/release")
     parser.add_argument("--core", type=int, help="stay on this core")
     parser.add_argument("--page", type=pathlib.Path, help="write the tables between the markers of this file")
     parser.add_argument("--tables", action="store_true", help="run nothing, make the tables of the CSV file")
@@ -184,9 +184,7 @@ def main():
     arguments = parse_arguments()
     if arguments.core is not None:
         os.sched_setaffinity(0, {arguments.core})
-    if arguments.nda != DEFAULT_NDA and not arguments.warm:
-        sys.exit("--nda needs --warm of the same build")
-    if not arguments.tables and not arguments.warm:
+    if not arguments.tables and not arguments.warm and arguments.nda == DEFAULT_NDA:
         arguments.warm = build("nda_cli", "warm_benchmark") / "warm_benchmark"
     bench = Bench(arguments)
     if not arguments.tables:

@@ -75,6 +75,8 @@ class SlackMoves {
   void stop() { stopped_ = true; }
   std::int64_t nodes() const { return nodes_; }
   double work() const { return work_; }
+  /// What the search does besides.
+  void add_work(std::size_t work) { work_ += static_cast<double>(work); }
 
   /// Counts a node; looks at the limits.
   bool is_stopped() {

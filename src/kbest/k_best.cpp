@@ -54,7 +54,8 @@ class Ranker {
         k_(k),
         max_nodes_(options.branch.max_nodes),
         forward_stop_(options.stop, pipeline::StopForwarder{stop_}),
-        monitor_(progress_of(solution, options), stop_),
+        progress_(progress_of(solution, options)),
+        monitor_(progress_, stop_),
         deadline_(
             options.time_limit_s - solution.stats.solve_seconds, stop_.get_token(), &heartbeat_),
         view_(problem, solution),
@@ -196,6 +197,7 @@ class Ranker {
   const std::int64_t max_nodes_;
   std::stop_source stop_;
   std::stop_callback<pipeline::StopForwarder> forward_stop_;
+  const std::function<bool(const Progress&)> progress_;
   pipeline::Monitor monitor_;
   const std::function<void()> heartbeat_ = [this] { monitor_.heartbeat(); };
   const core::Deadline deadline_;

@@ -88,6 +88,7 @@ class Ranking {
 
   // Adds the same to all.
   RankedList extend(RankedList list, double slack, Combination arcs) {
+    moves_.add_work(list.size());
     for (Ranked& ranked : list)
       ranked = {ranked.slack + slack, combinations_.join(arcs, ranked.arcs)};
     return list;
@@ -106,6 +107,7 @@ class Ranking {
       part.may_split = false;
       const RankedList found = solve(depth + 1, budget - list.front().slack);
       list = combine_ranked(list, found, k_, budget, combinations_);
+      moves_.add_work(list.size());
     }
     return list;
   }
@@ -133,6 +135,8 @@ class Ranking {
   }
 
   void merge(RankedList& list, RankedList more, double slack, Combination arcs) {
+    if (more.empty()) return;
+    moves_.add_work(list.size() + more.size());
     merge_ranked(list, extend(std::move(more), slack, arcs), k_);
   }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 #include <stop_token>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -180,6 +181,27 @@ TEST(KBest, StopsRankingOnDemand) {
   const Solution solution = solve_k_best(square(3), 10, options);
   EXPECT_EQ(num_proven(solution), 0u);
   expect_sound(square(3), solution);
+}
+
+// The best one takes hundredths of a second, so many take far more than the second after which the
+// callback is told.
+TEST(KBest, TellsThatItIsRankingAndStopsWhenTold) {
+  support::RandomProblemOptions random;
+  random.sizes = {18, 18, 18};
+  random.num_arcs = 9000;
+  random.costs = support::CostKind::kInteger;
+  random.dummy_share = 0;
+  Options options;
+  std::vector<std::string> events;
+  options.progress = [&](const Progress& now) {
+    events.push_back(now.event);
+    return events.back() != "ranking";
+  };
+  const Problem problem = support::random_problem(1, random);
+  const Solution solution = solve_k_best(problem, 3000, options);
+  EXPECT_EQ(std::count(events.begin(), events.end(), "ranking"), 1);
+  EXPECT_LT(num_proven(solution), solution.solutions.size());
+  EXPECT_THAT(check(problem, solution).faults, IsEmpty());
 }
 
 // Costs times a power of two and with a charge for every index of one dimension rank alike.
