@@ -91,7 +91,7 @@ def summary(table):
     return "\n".join(lines)
 
 
-def page(table, limit, most_arcs):
+def page(table, arguments):
     head = "| file | arcs | best, s | " + " | ".join(f"{k} best | of them proven" for k in KS[1:]) + " |\n|---" + "|--:" * (2 + 2 * len(KS[1:])) + "|\n"
     body = ""
     for row in table:
@@ -100,9 +100,10 @@ def page(table, limit, most_arcs):
             tried = row[2 + position][0] < math.inf
             cells += [f"x {ratio(row, position):.1f}", f"{row[2 + position][1]} of {row[2 + position][2]}"] if tried else ["-", "-"]
         body += "| " + " | ".join(cells) + " |\n"
+    chosen = "".join(f" {pattern}" for pattern in arguments.pattern)
     return f"""# The k best on every public instance
 
-Written by `bench/k_best.py --markdown docs/benchmarks/k_best.md`: files of at most {most_arcs} arcs whose best solution is proven in {limit:g} s; one thread, solve times
+Written by `bench/k_best.py --markdown docs/benchmarks/k_best.md{chosen}`: files of at most {arguments.most_arcs} arcs whose best solution is proven in {arguments.time_limit:g} s; one thread, solve times
 without reading on {shared.processor()}, median of three where they are below a second. `x`: times the best alone. How ranking works: [the k best](../k_best.md).
 
 {summary(table)}
@@ -132,7 +133,7 @@ def main():
     print(summary(table))
     print("\n".join(faults))
     if arguments.markdown:
-        arguments.markdown.write_text(page(table, arguments.time_limit, arguments.most_arcs))
+        arguments.markdown.write_text(page(table, arguments))
     return 1 if faults else 0
 
 
