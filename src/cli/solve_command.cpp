@@ -169,8 +169,10 @@ void print_ranks(const Solution& solution, bool all) {
   if (shown < ranks.size()) print("%10s and %zu more\n", "...", ranks.size() - shown);
 }
 
-int exit_code(const Solution& solution) {
+// Of several solutions that were asked for, all must be proven.
+int exit_code(const Solution& solution, std::size_t k) {
   if (solution.solutions.empty()) return kNoAnswer;
+  if (k > 1 && num_proven(solution) < solution.solutions.size()) return kStopped;
   const bool answered = solution.status == Status::kOptimal ||
                         solution.status == Status::kGapReached ||
                         solution.status == Status::kPrecisionLost;
@@ -226,8 +228,7 @@ int solve_file(const SolveArguments& arguments) {
       print_reductions(solution);
     }
   }
-  if (num_proven(solution) < solution.solutions.size() && arguments.k > 1) return kStopped;
-  return exit_code(solution);
+  return exit_code(solution, arguments.k);
 }
 
 // A flag for an option of the table; the flag's help is the row's meaning.

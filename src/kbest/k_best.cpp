@@ -16,6 +16,7 @@
 #include "kbest/slack_view.hpp"
 #include "nda/solve.hpp"
 #include "solve/component_solver.hpp"
+#include "solve/costs.hpp"
 #include "solve/monitor.hpp"
 
 // Exact ranking by a threshold.  With the multipliers of the best solution every cost is a constant
@@ -54,8 +55,7 @@ class Ranker {
         k_(k),
         max_nodes_(options.branch.max_nodes),
         forward_stop_(options.stop, pipeline::StopForwarder{stop_}),
-        progress_(progress_of(solution, options)),
-        monitor_(progress_, stop_),
+        monitor_(progress_of(solution, options), stop_),
         deadline_(
             options.time_limit_s - solution.stats.solve_seconds, stop_.get_token(), &heartbeat_),
         view_(problem, solution),
@@ -67,7 +67,7 @@ class Ranker {
       split();
       for (std::size_t within = first_within(); widen(within);)
         within = static_cast<std::size_t>(kGrowth * static_cast<double>(within)) + 1;
-      if (is_ranked_) ranks = proven();
+      if (!list_.empty()) ranks = proven();
     }
     if (!is_complete_) add_neighbours(ranks);
     for (std::size_t r = 0; r < ranks.size(); ++r) ranks[r].rank = static_cast<int>(r) + 1;
@@ -80,16 +80,17 @@ class Ranker {
   static std::function<bool(const Progress&)> progress_of(const Solution& solution,
                                                           const Options& options) {
     if (!options.progress) return nullptr;
-    Progress known;
-    known.seconds = solution.stats.solve_seconds;
-    known.cost = solution.cost;
-    known.lower_bound = solution.lower_bound;
-    known.components_done = known.num_components = solution.num_components;
-    return [known, &options](const Progress& now) mutable {
-      Progress all = known;
-      all.seconds += now.seconds;
-      all.event = "ranking";
-      return options.progress(all);
+    const std::size_t components = solution.num_components;
+    const Progress solved = {solution.stats.solve_seconds,
+                             solution.cost,
+                             solution.lower_bound,
+                             components,
+                             components,
+                             "ranking"};
+    return [solved, &options](const Progress& now) {
+      Progress ranking = solved;
+      ranking.seconds += now.seconds;
+      return options.progress(ranking);
     };
   }
 
@@ -111,7 +112,8 @@ class Ranker {
   void split() {
     const double most = neighbours_.size() + 1 < k_ ? kInfinity : reach(k_ - 1);
     const core::Shift shift = core::make_shift(problem_);
-    error_ = pipeline::precision_of(problem_.num_indices(), largest_cost(), core::CostGrid{}).error;
+    const double largest = pipeline::largest_cost(problem_);
+    error_ = pipeline::precision_of(problem_.num_indices(), largest, {}).error;
     const double budget = kbest::beyond(view_.slack() + most, error_);
     std::vector<ArcId> near;
     for (ArcId a = 0; a < problem_.num_arcs(); ++a) {
@@ -124,12 +126,6 @@ class Ranker {
       parts_.emplace_back(cutter.cut(whole, partition.component(p)), view_);
       if (shift.penalty == 0) parts_.back().tighten(deadline_);
     }
-  }
-
-  double largest_cost() const {
-    double largest = 0;
-    for (const double cost : problem_.costs()) largest = std::max(largest, std::abs(cost));
-    return largest;
   }
 
   // Ranks all solutions within the reach of so many neighbours.  Returns whether there is more to
@@ -153,7 +149,6 @@ class Ranker {
     // Sums beyond the reach may lack others that are as good.
     const double budget = kbest::beyond(least + reach, error_);
     std::erase_if(list, [&](const kbest::Ranked& ranked) { return ranked.slack > budget; });
-    is_ranked_ = true;
     list_ = std::move(list);
     combinations_ = std::move(combinations);
     is_complete_ = list_.size() >= k_ || within >= std::min(k_ - 1, neighbours_.size() + 1);
@@ -197,7 +192,6 @@ class Ranker {
   const std::int64_t max_nodes_;
   std::stop_source stop_;
   std::stop_callback<pipeline::StopForwarder> forward_stop_;
-  const std::function<bool(const Progress&)> progress_;
   pipeline::Monitor monitor_;
   const std::function<void()> heartbeat_ = [this] { monitor_.heartbeat(); };
   const core::Deadline deadline_;
@@ -207,7 +201,6 @@ class Ranker {
   std::vector<Part> parts_;
   Combinations combinations_;
   RankedList list_;  // what is proven
-  bool is_ranked_ = false;
   bool is_complete_ = false;
 };
 

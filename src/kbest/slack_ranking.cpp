@@ -52,7 +52,6 @@ class Ranking {
     result.packings = solve(0, budget);
     result.complete = !moves_.stopped();
     result.nodes = moves_.nodes();
-    result.work = moves_.work();
     return result;
   }
 

@@ -13,7 +13,6 @@ struct SlackRanking {
   RankedList packings;    ///< of least slack, ascending
   bool complete = false;  ///< these are the k best below the budget, or all of them
   std::int64_t nodes = 0;
-  double work = 0;  ///< as limited
 };
 
 /// The k packings of least slack among those below a finite `budget`; packings are equal where

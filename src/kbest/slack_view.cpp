@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "core/double_double.hpp"
+#include "core/shift.hpp"
+#include "solve/solutions.hpp"
 
 namespace nda::kbest {
 
@@ -24,16 +25,17 @@ void SlackView::price_indices(const Solution& solution) {
   }
 }
 
+// Multipliers charge indices as singletons do.
 void SlackView::reduce_costs(const Solution& solution) {
-  reduced_.resize(problem_.num_arcs());
-  for (ArcId a = 0; a < reduced_.size(); ++a) {
-    core::DoubleDouble r(problem_.costs()[a]);
-    for (std::size_t k = 0; k < offset_.size(); ++k) {
-      const Index i = problem_.indices(static_cast<int>(k))[a];
-      if (i != 0) r.add(-solution.multipliers[k][i - 1]);
-    }
-    reduced_[a] = std::max(0.0, r.high());
+  core::Shift by_multipliers;
+  by_multipliers.is_free = false;
+  for (const std::vector<double>& u : solution.multipliers) {
+    by_multipliers.base.push_back({0});
+    by_multipliers.base.back().insert(by_multipliers.base.back().end(), u.begin(), u.end());
   }
+  reduced_.resize(problem_.num_arcs());
+  for (ArcId a = 0; a < reduced_.size(); ++a)
+    reduced_[a] = std::max(0.0, core::shifted_cost(problem_, by_multipliers, a));
 }
 
 void SlackView::take(const RankedSolution& best) {
@@ -66,63 +68,37 @@ std::vector<SlackView::Neighbour> SlackView::neighbours(std::size_t most,
 }
 
 double SlackView::rise(ArcId a) const {
-  std::vector<std::size_t> slots;
-  for_each_slot(a, [&](std::size_t s) { slots.push_back(s); });
-  if (owner_[slots.front()] == a) return removal(a, {});
+  if (is_best(a)) return removal(a, kNone);
   double rise = reduced_[a];
-  for (const std::size_t s : slots) rise -= owner_[s] == kNone ? price_[s] : 0;
-  for (const ArcId b : excluders(a)) rise += removal(b, slots);
+  for_each_slot(a, [&](std::size_t s) { rise -= owner_[s] == kNone ? price_[s] : 0; });
+  for_each_excluder(a, [&](ArcId b) { rise += removal(b, a); });
   return rise;
 }
 
-// What it costs to take an arc of the best solution out and lay its indices bare, but for `kept`.
-double SlackView::removal(ArcId b, std::span<const std::size_t> kept) const {
+// What it costs to take an arc of the best solution out and lay its indices bare, but for those
+// that `next` covers.
+double SlackView::removal(ArcId b, ArcId next) const {
   double rise = -reduced_[b];
-  for_each_slot(b, [&](std::size_t s) {
-    if (std::find(kept.begin(), kept.end(), s) == kept.end()) rise += price_[s];
+  for_each_index(b, [&](std::size_t k, Index i) {
+    if (next == kNone || index(k, next) != i) rise += price_[slot(k, i)];
   });
   return rise;
 }
 
-// The arcs of the best solution that share an index with an arc.
-std::vector<ArcId> SlackView::excluders(ArcId a) const {
-  std::vector<ArcId> found;
-  for_each_slot(a, [&](std::size_t s) {
-    const ArcId owner = owner_[s];
-    if (owner != kNone && std::find(found.begin(), found.end(), owner) == found.end())
-      found.push_back(owner);
-  });
-  return found;
+bool SlackView::is_best(ArcId a) const {
+  return std::binary_search(best_.begin(), best_.end(), a);
 }
 
 std::vector<ArcId> SlackView::arcs_of(const Neighbour& neighbour) const {
-  const std::vector<ArcId> out = excluders(neighbour.arc);
-  std::vector<ArcId> arcs;
-  std::copy_if(best_.begin(), best_.end(), std::back_inserter(arcs), [&](ArcId a) {
-    return std::find(out.begin(), out.end(), a) == out.end();
-  });
-  const bool was_in = out.size() == 1 && out.front() == neighbour.arc;
-  if (!was_in) arcs.push_back(neighbour.arc);
+  std::vector<ArcId> arcs = best_;
+  for_each_excluder(neighbour.arc, [&](ArcId b) { std::erase(arcs, b); });
+  if (!is_best(neighbour.arc)) arcs.push_back(neighbour.arc);
   return arcs;
 }
 
 RankedSolution SlackView::solution_of(std::vector<ArcId> arcs) const {
   std::sort(arcs.begin(), arcs.end());
-  RankedSolution solution;
-  core::DoubleDouble cost;
-  std::vector<bool> covered(price_.size(), false);
-  for (const ArcId a : arcs) {
-    cost.add(problem_.costs()[a]);
-    solution.arcs.push_back(problem_.arc(a));
-    for_each_slot(a, [&](std::size_t s) { covered[s] = true; });
-  }
-  for (int k = 0; k < problem_.num_dimensions(); ++k) {
-    for (Index i = 1; i <= problem_.size(k); ++i) {
-      if (!covered[slot(static_cast<std::size_t>(k), i)]) cost.add(problem_.singleton_costs(k)[i]);
-    }
-  }
-  solution.cost = cost.high();
-  return solution;
+  return pipeline::make_solution(problem_, arcs, pipeline::coverage(problem_, arcs));
 }
 
 }  // namespace nda::kbest

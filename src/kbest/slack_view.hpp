@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include "core/clock.hpp"
@@ -46,19 +45,37 @@ class SlackView {
  private:
   static constexpr core::ArcId kNone = ~core::ArcId{0};
 
+  Index index(std::size_t k, core::ArcId a) const {
+    return problem_.indices(static_cast<int>(k))[a];
+  }
+  template <typename Visit>
+  void for_each_index(core::ArcId a, Visit&& visit) const {
+    for (std::size_t k = 0; k < offset_.size(); ++k) {
+      if (const Index i = index(k, a); i != 0) visit(k, i);
+    }
+  }
   template <typename Visit>
   void for_each_slot(core::ArcId a, Visit&& visit) const {
-    for (std::size_t k = 0; k < offset_.size(); ++k) {
-      const Index i = problem_.indices(static_cast<int>(k))[a];
-      if (i != 0) visit(slot(k, i));
-    }
+    for_each_index(a, [&](std::size_t k, Index i) { visit(slot(k, i)); });
+  }
+  // The arcs of the best solution that share an index with an arc, each once.
+  template <typename Visit>
+  void for_each_excluder(core::ArcId a, Visit&& visit) const {
+    for_each_index(a, [&](std::size_t k, Index i) {
+      const core::ArcId owner = owner_[slot(k, i)];
+      if (owner == kNone) return;
+      bool seen = false;
+      for (std::size_t d = 0; d < k; ++d)
+        seen = seen || (index(d, a) != 0 && index(d, a) == index(d, owner));
+      if (!seen) visit(owner);
+    });
   }
   void price_indices(const Solution& solution);
   void reduce_costs(const Solution& solution);
   void take(const RankedSolution& best);
   double rise(core::ArcId a) const;
-  double removal(core::ArcId b, std::span<const std::size_t> kept) const;
-  std::vector<core::ArcId> excluders(core::ArcId a) const;
+  double removal(core::ArcId b, core::ArcId next) const;
+  bool is_best(core::ArcId a) const;
 
   const Problem& problem_;
   std::vector<std::size_t> offset_;  // [k]: first slot, that of the dummy

@@ -2,8 +2,8 @@
 
 namespace nda::pipeline {
 
-Monitor::Monitor(const std::function<bool(const Progress&)>& callback, std::stop_source stop)
-    : callback_(callback), stop_(std::move(stop)) {}
+Monitor::Monitor(std::function<bool(const Progress&)> callback, std::stop_source stop)
+    : callback_(std::move(callback)), stop_(std::move(stop)) {}
 
 void Monitor::begin(double constant, std::size_t num_components, std::size_t num_infeasible) {
   const std::lock_guard lock(mutex_);

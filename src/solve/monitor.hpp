@@ -22,7 +22,7 @@ class Monitor {
  public:
   /// @param stop  asked to stop when the user's callback returns false; it is not called again
   /// then.
-  Monitor(const std::function<bool(const Progress&)>& callback, std::stop_source stop);
+  Monitor(std::function<bool(const Progress&)> callback, std::stop_source stop);
 
   /// The components are known.
   /// @param constant        cost of choosing nothing: components report shifted costs.
@@ -48,7 +48,7 @@ class Monitor {
  private:
   void tell(const char* event);
 
-  const std::function<bool(const Progress&)>& callback_;
+  const std::function<bool(const Progress&)> callback_;
   std::stop_source stop_;
   core::Stopwatch watch_;
   std::atomic<double> told_s_ = 0;

@@ -24,6 +24,7 @@
 #include "solve/process.hpp"
 #include "solve/settling.hpp"
 #include "solve/singletons.hpp"
+#include "solve/solutions.hpp"
 
 // The pipeline: shift, split, solve the parts in two rounds, merge.  The first round gives every
 // component a solution and a bound, the second works on those that are not yet closed.  Components
@@ -305,26 +306,15 @@ class Pipeline {
       }
     }
     std::sort(arcs.begin(), arcs.end());
-    RankedSolution best;
-    core::DoubleDouble cost;
-    for (const Index size : problem_.sizes()) covered_.emplace_back(size + std::size_t{1}, false);
-    for (const ArcId a : arcs) {
-      cost.add(problem_.costs()[a]);
-      best.arcs.push_back(problem_.arc(a));
-      for (std::size_t k = 0; k < covered_.size(); ++k) covered_[k][best.arcs.back()[k]] = true;
-    }
+    covered_ = pipeline::coverage(problem_, arcs);
     for (int k = 0; k < problem_.num_dimensions(); ++k) {
-      const auto singletons = problem_.singleton_costs(k);
-      for (Index i = 1; i < singletons.size(); ++i) {
-        if (is_missing(static_cast<std::size_t>(k), i))
-          missing_.push_back({k, i});
-        else if (!covered_[static_cast<std::size_t>(k)][i])
-          cost.add(singletons[i]);
+      for (Index i = 1; i <= problem_.size(k); ++i) {
+        if (is_missing(static_cast<std::size_t>(k), i)) missing_.push_back({k, i});
       }
     }
     if (!missing_.empty()) return;
-    best.cost = solution.cost = cost.high();
-    solution.solutions.push_back(std::move(best));
+    solution.solutions.push_back(pipeline::make_solution(problem_, arcs, covered_));
+    solution.cost = solution.solutions.front().cost;
   }
 
   // Uncovered though its singleton is forbidden.
@@ -469,7 +459,7 @@ class Pipeline {
   core::CostGrid grid_;
   decompose::Partition partition_;
   std::vector<Part> parts_;
-  std::vector<std::vector<bool>> covered_;    // [k][i]: whether the best packing uses the index
+  pipeline::Coverage covered_;                // by the best packings
   std::vector<pipeline::RealIndex> missing_;  // forbidden singletons among the rest, ascending
   bool is_bounded_ = false;                   // every part has a solver and a bound
   bool is_infeasible_ = false;

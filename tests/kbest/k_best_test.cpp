@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
+#include <stdexcept>
 #include <stop_token>
 #include <string>
 #include <utility>
@@ -13,6 +15,7 @@
 
 #include "nda/check.hpp"
 #include "nda/solve.hpp"
+#include "support/brute_force.hpp"
 #include "support/random_problems.hpp"
 
 namespace nda {
@@ -20,54 +23,16 @@ namespace {
 
 using ::testing::IsEmpty;
 
-// The costs of all solutions by going through all sets of arcs that share no index, ascending.
-class AllCosts {
- public:
-  explicit AllCosts(const Problem& problem) : problem_(problem) {
-    for (const Index size : problem.sizes()) used_.emplace_back(size + std::size_t{1}, false);
-    extend(0, 0.0L);
-    std::sort(costs_.begin(), costs_.end());
+constexpr std::size_t kMostSolutions = 5000;
+
+// Nothing where there are more than that.
+std::optional<std::vector<double>> all_costs(const Problem& problem) {
+  try {
+    return support::all_costs(problem, kMostSolutions);
+  } catch (const std::length_error&) {
+    return std::nullopt;
   }
-
-  const std::vector<double>& operator*() const { return costs_; }
-
- private:
-  void extend(std::size_t a, long double cost) {
-    if (a == problem_.num_arcs()) {
-      cost += of_uncovered();
-      if (cost < kInfinity) costs_.push_back(static_cast<double>(cost));
-      return;
-    }
-    extend(a + 1, cost);
-    const std::vector<Index> tuple = problem_.arc(a);
-    for (std::size_t k = 0; k < tuple.size(); ++k) {
-      if (tuple[k] != 0 && used_[k][tuple[k]]) return;
-    }
-    mark(tuple, true);
-    extend(a + 1, cost + problem_.costs()[a]);
-    mark(tuple, false);
-  }
-
-  void mark(const std::vector<Index>& tuple, bool used) {
-    for (std::size_t k = 0; k < tuple.size(); ++k) {
-      if (tuple[k] != 0) used_[k][tuple[k]] = used;
-    }
-  }
-
-  long double of_uncovered() const {
-    long double cost = 0;
-    for (int k = 0; k < problem_.num_dimensions(); ++k) {
-      for (Index i = 1; i <= problem_.size(k); ++i) {
-        if (!used_[static_cast<std::size_t>(k)][i]) cost += problem_.singleton_costs(k)[i];
-      }
-    }
-    return cost;
-  }
-
-  const Problem& problem_;
-  std::vector<std::vector<bool>> used_;
-  std::vector<double> costs_;
-};
+}
 
 // No more than rounding apart, for sums of costs of that size.
 void expect_costs(const Problem& problem,
@@ -99,9 +64,9 @@ TEST(KBest, AgreesWithBruteForce) {
   for (std::uint64_t seed = 1; seed <= 5000; ++seed) {
     const support::RandomCase random = support::random_case(seed);
     SCOPED_TRACE(random.description);
-    const AllCosts all(random.problem);
-    if ((*all).size() > 5000) continue;
-    for (const std::size_t k : {std::size_t{2}, std::size_t{7}, (*all).size() + 1}) {
+    const std::optional<std::vector<double>> all = all_costs(random.problem);
+    if (!all) continue;
+    for (const std::size_t k : {std::size_t{2}, std::size_t{7}, all->size() + 1}) {
       const Solution solution = solve_k_best(random.problem, k);
       if (solution.status == Status::kPrecisionLost) continue;
       expect_sound(random.problem, solution);
