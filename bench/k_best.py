@@ -5,13 +5,15 @@
 
 solves each file of ../shared/data/arcs of at most N arcs with build/release/nda, one thread, for k = 1, 10, 100 and 1000, three
 times where that takes less than a second, and compares the medians of the solve times.  Files that are not proven at k = 1 within the
-limit are left out; where a list is not proven, no longer one is tried.  PATTERN selects files by a part of their path.  Exit code 1 where `nda check` finds a fault, or where the best
-solution of a longer list is not that of a shorter one.  docs/benchmarks/k_best.md is written by
+limit are left out; where a list is not proven, no longer one is tried.  PATTERN selects files by a part of their path.  Exit code 1
+where `nda check` finds a fault, or where the best solution of a longer list is not that of a shorter one.  docs/benchmarks/k_best.md is
+written by
 
     bench/k_best.py --markdown docs/benchmarks/k_best.md
 """
 
 import argparse
+import collections
 import gzip
 import json
 import math
@@ -28,6 +30,9 @@ NDA = shared.ROOT / "build/release/nda"
 KS = (1, 10, 100, 1000)
 TARGETS = {10: 5, 100: 20}
 REPEATED = 1.0  # seconds
+
+Run = collections.namedtuple("Run", "seconds proven listed")  # infinitely many where it was not tried
+Row = collections.namedtuple("Row", "file arcs runs")  # by k
 
 
 def num_arcs(path):
@@ -51,41 +56,37 @@ def rank(path, k, limit, folder):
 
 
 def judge(path, limit, folder, faults):
-    """A row: file, arcs, and for every k the seconds and how many ranks are proven; None where the best is not."""
-    row = [path.name.removesuffix(".nda.gz"), None]
+    """A row; None where the best solution is not proven."""
+    name = path.name.removesuffix(".nda.gz")
+    runs = {}
     best = None
     for k in KS:
-        if len(row) > 2 and not is_proven(row, len(row) - 3):
-            row.append((math.inf, 0, k))
+        if any(run.proven < run.listed for run in runs.values()):
+            runs[k] = Run(math.inf, 0, k)
             continue
         solution, output, seconds = rank(path, k, limit, folder)
         if k == 1 and not solution["proven"]:
             return None
         if subprocess.run([NDA, "check", path, output], check=False, stdout=subprocess.PIPE).returncode != 0:
-            faults.append(f"{row[0]}, k = {k}: refused by nda check")
+            faults.append(f"{name}, k = {k}: refused by nda check")
         best = solution["cost"] if best is None else best
         if abs(solution["cost"] - best) > 1e-9 * max(1, abs(best)):
-            faults.append(f"{row[0]}, k = {k}: {solution['cost']} is not {best}")
+            faults.append(f"{name}, k = {k}: {solution['cost']} is not {best}")
         ranks = solution["solutions"]
-        row[1] = solution["instance"]["arcs"]
-        row.append((seconds, sum(rank["proven"] for rank in ranks), len(ranks)))
-    return row
+        runs[k] = Run(seconds, sum(rank["proven"] for rank in ranks), len(ranks))
+    return Row(name, solution["instance"]["arcs"], runs)
 
 
-def ratio(row, position):
-    return row[2 + position][0] / row[2][0]
-
-
-def is_proven(row, position):
-    return row[2 + position][1] == row[2 + position][2]
+def ratio(row, k):
+    return row.runs[k].seconds / row.runs[1].seconds
 
 
 def summary(table):
     """One line for every k: medians over all files, with infinity for what was not tried."""
     lines = []
-    for position, k in enumerate(KS[1:], 1):
-        ratios = [ratio(row, position) for row in table]
-        proven = sum(is_proven(row, position) for row in table)
+    for k in KS[1:]:
+        ratios = [ratio(row, k) for row in table]
+        proven = sum(row.runs[k].proven == row.runs[k].listed for row in table)
         target = f", aim {TARGETS[k]}" if k in TARGETS else ""
         lines.append(f"- {k} best: proven on {proven} of {len(table)} files; median {statistics.median(ratios):.1f} times the best alone{target}.")
     return "\n".join(lines)
@@ -95,10 +96,10 @@ def page(table, arguments):
     head = "| file | arcs | best, s | " + " | ".join(f"{k} best | of them proven" for k in KS[1:]) + " |\n|---" + "|--:" * (2 + 2 * len(KS[1:])) + "|\n"
     body = ""
     for row in table:
-        cells = [row[0], f"{row[1]}", f"{row[2][0]:.4f}"]
-        for position in range(1, len(KS)):
-            tried = row[2 + position][0] < math.inf
-            cells += [f"x {ratio(row, position):.1f}", f"{row[2 + position][1]} of {row[2 + position][2]}"] if tried else ["-", "-"]
+        cells = [row.file, f"{row.arcs}", f"{row.runs[1].seconds:.4f}"]
+        for k in KS[1:]:
+            run = row.runs[k]
+            cells += [f"x {ratio(row, k):.1f}", f"{run.proven} of {run.listed}"] if run.seconds < math.inf else ["-", "-"]
         body += "| " + " | ".join(cells) + " |\n"
     chosen = "".join(f" {pattern}" for pattern in arguments.pattern)
     return f"""# The k best on every public instance
@@ -128,8 +129,8 @@ def main():
             if row is None:
                 continue
             table.append(row)
-            cells = [f"{seconds:9.4f} s {proven:5d}/{ranks}" for seconds, proven, ranks in row[2:]]
-            print(f"{row[0]:32} {row[1]:8} " + "  ".join(cells), flush=True)
+            cells = [f"{run.seconds:9.4f} s {run.proven:5d}/{run.listed}" for run in row.runs.values()]
+            print(f"{row.file:32} {row.arcs:8} " + "  ".join(cells), flush=True)
     print(summary(table))
     print("\n".join(faults))
     if arguments.markdown:
