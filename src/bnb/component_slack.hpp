@@ -22,4 +22,10 @@ ComponentSlack slack_of(const core::Component& component,
                         double budget,
                         const core::Deadline& deadline = {});
 
+/// The same of prices by slot and reduced costs by arc, none of them negative.
+ComponentSlack slack_of(const core::Component& component,
+                        std::span<const double> price,
+                        std::span<const double> reduced,
+                        double budget);
+
 }  // namespace nda::bnb

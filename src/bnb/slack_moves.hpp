@@ -41,6 +41,19 @@ struct SlackNode {
   Parts parts;
 };
 
+/// The nodes from the root down, kept between visits; they do not move.
+template <typename Node>
+class NodesByDepth {
+ public:
+  Node& operator[](std::size_t depth) {
+    while (nodes_.size() <= depth) nodes_.push_back(std::make_unique<Node>());
+    return *nodes_[depth];
+  }
+
+ private:
+  std::vector<std::unique_ptr<Node>> nodes_;
+};
+
 /// The moves of a search within the slack, its limits and its counts.
 class SlackMoves {
  public:
@@ -72,80 +85,23 @@ class SlackMoves {
   }
 
   bool stopped() const { return stopped_; }
-  void stop() { stopped_ = true; }
   std::int64_t nodes() const { return nodes_; }
   double work() const { return work_; }
   /// What the search does besides.
   void add_work(std::size_t work) { work_ += static_cast<double>(work); }
 
-  /// Counts a node; looks at the limits.
-  bool is_stopped() {
-    if (nodes_ >= limits_.max_nodes || work_ > limits_.max_work) return stopped_ = true;
-    ++nodes_;
-    if (work_ - work_at_look_ > kWorkBetweenLooks) {
-      work_at_look_ = work_;
-      stopped_ = stopped_ || limits_.deadline.reached();
-    }
-    return stopped_;
-  }
-
-  /// Drops what the budget does not pay for, charges rows for what nothing is left to fill.
-  /// Returns whether the budget is kept.
-  [[gnu::noinline]] bool settle(SlackNode& here, double& spent, double budget) {
-    for (bool again = true; again;) {
-      if (!(spent < budget)) return false;
-      count(here, budget - spent);
-      again = false;
-      for (OpenRow& row : here.rows) {
-        if (open_uses_[row.row].count >= row.left) continue;
-        spent += (row.left - open_uses_[row.row].count) * row.price;
-        if (!(spent < budget)) return false;
-        row.left = open_uses_[row.row].count;
-        again = true;
+  /// Settles, ascends and forces until nothing moves, from nothing spent and nothing forced.
+  /// Returns false where the budget is not kept or a limit strikes, also that of the depth.
+  [[gnu::noinline]] bool tighten(SlackNode& here, double& spent, double budget, bool is_too_deep) {
+    here.forced.clear();
+    do {
+      if (is_stopped() || is_too_deep) {
+        stopped_ = true;
+        return false;
       }
-      std::erase_if(here.rows, [](const OpenRow& row) { return row.left == 0; });
-    }
+      if (!settle(here, spent, budget) || !ascend(here, spent, budget)) return false;
+    } while (force(here, spent, budget));
     return true;
-  }
-
-  /// Lowers prices and reduced costs by what every use of a row costs.
-  [[gnu::noinline]] bool ascend(SlackNode& here, double& spent, double budget) {
-    const auto pays = [&](const OpenRow& row) { return open_uses_[row.row].least > least_step_; };
-    if (std::none_of(here.rows.begin(), here.rows.end(), pays)) return true;
-    for (OpenRow& row : here.rows) {
-      if (!pays(row)) continue;
-      const double step = std::min(row.price, least_share(here, row.row));
-      if (!(step > least_step_)) continue;
-      for_each_open(here, row.row, [&](OpenArc& arc, std::uint32_t coefficient) {
-        arc.reduced = std::max(0.0, arc.reduced - step * coefficient);
-      });
-      row.price -= step;
-      spent += step * row.left;
-      if (!(spent < budget)) break;
-    }
-    std::erase_if(here.rows, [&](const OpenRow& row) { return row.price <= 0 && !keeps(row.row); });
-    return spent < budget;
-  }
-
-  /// Takes arcs that are the only use of a row: the first one where there are few such rows, as the
-  /// ascent that follows is worth its time, else all that fit together.  Returns whether there were
-  /// any.
-  [[gnu::noinline]] bool force(SlackNode& here, double& spent, double budget) {
-    const auto forces = [&](const OpenRow& row) { return num_uses(row, budget - spent) == 1; };
-    const auto num_rows = std::count_if(here.rows.begin(), here.rows.end(), forces);
-    if (num_rows == 0) return false;
-    const std::size_t before = here.forced.size();
-    if (num_rows <= kFewForced) {
-      const OpenRow row = narrowest(here, budget - spent);
-      if (forces(row)) force(here, row, spent);
-    } else {
-      for (const OpenRow& row : here.rows) {
-        if (forces(row)) force(here, row, spent);
-      }
-    }
-    const auto forced = std::span(here.forced).subspan(before);
-    if (!forced.empty()) take(here, forced, budget - spent, here);
-    return !forced.empty();
   }
 
   /// Looking for parts costs as much as a node: less often where it keeps failing.
@@ -236,6 +192,76 @@ class SlackMoves {
 
   bool keeps(std::uint32_t row) const {
     return free_rows_ == FreeRows::kKeep && row < problem_.num_indices();
+  }
+
+  // Counts a node; looks at the limits.
+  bool is_stopped() {
+    if (nodes_ >= limits_.max_nodes || work_ > limits_.max_work) return stopped_ = true;
+    ++nodes_;
+    if (work_ - work_at_look_ > kWorkBetweenLooks) {
+      work_at_look_ = work_;
+      stopped_ = stopped_ || limits_.deadline.reached();
+    }
+    return stopped_;
+  }
+
+  // Drops what the budget does not pay for, charges rows for what nothing is left to fill.
+  // Returns whether the budget is kept.
+  [[gnu::noinline]] bool settle(SlackNode& here, double& spent, double budget) {
+    for (bool again = true; again;) {
+      if (!(spent < budget)) return false;
+      count(here, budget - spent);
+      again = false;
+      for (OpenRow& row : here.rows) {
+        if (open_uses_[row.row].count >= row.left) continue;
+        spent += (row.left - open_uses_[row.row].count) * row.price;
+        if (!(spent < budget)) return false;
+        row.left = open_uses_[row.row].count;
+        again = true;
+      }
+      std::erase_if(here.rows, [](const OpenRow& row) { return row.left == 0; });
+    }
+    return true;
+  }
+
+  // Lowers prices and reduced costs by what every use of a row costs.
+  [[gnu::noinline]] bool ascend(SlackNode& here, double& spent, double budget) {
+    const auto pays = [&](const OpenRow& row) { return open_uses_[row.row].least > least_step_; };
+    if (std::none_of(here.rows.begin(), here.rows.end(), pays)) return true;
+    for (OpenRow& row : here.rows) {
+      if (!pays(row)) continue;
+      const double step = std::min(row.price, least_share(here, row.row));
+      if (!(step > least_step_)) continue;
+      for_each_open(here, row.row, [&](OpenArc& arc, std::uint32_t coefficient) {
+        arc.reduced = std::max(0.0, arc.reduced - step * coefficient);
+      });
+      row.price -= step;
+      spent += step * row.left;
+      if (!(spent < budget)) break;
+    }
+    std::erase_if(here.rows, [&](const OpenRow& row) { return row.price <= 0 && !keeps(row.row); });
+    return spent < budget;
+  }
+
+  // Takes arcs that are the only use of a row: the first one where there are few such rows, as the
+  // ascent that follows is worth its time, else all that fit together.  Returns whether there were
+  // any.
+  [[gnu::noinline]] bool force(SlackNode& here, double& spent, double budget) {
+    const auto forces = [&](const OpenRow& row) { return num_uses(row, budget - spent) == 1; };
+    const auto num_rows = std::count_if(here.rows.begin(), here.rows.end(), forces);
+    if (num_rows == 0) return false;
+    const std::size_t before = here.forced.size();
+    if (num_rows <= kFewForced) {
+      const OpenRow row = narrowest(here, budget - spent);
+      if (forces(row)) force(here, row, spent);
+    } else {
+      for (const OpenRow& row : here.rows) {
+        if (forces(row)) force(here, row, spent);
+      }
+    }
+    const auto forced = std::span(here.forced).subspan(before);
+    if (!forced.empty()) take(here, forced, budget - spent, here);
+    return !forced.empty();
   }
 
   void list_arcs_of_rows() {

@@ -1,7 +1,6 @@
 #include "bnb/slack_search.hpp"
 
 #include <algorithm>
-#include <memory>
 
 #include "bnb/slack_moves.hpp"
 
@@ -29,7 +28,7 @@ class SlackSearch {
       : problem_(problem), moves_(problem, budget, limits, FreeRows::kDrop) {}
 
   SlackResult run(double budget) {
-    Node& root = node(0);
+    Node& root = nodes_[0];
     moves_.open(root);
     SlackResult result;
     result.slack = solve(0, budget < kInfinity ? budget + kTolerance * budget : budget);
@@ -45,25 +44,13 @@ class SlackSearch {
     std::vector<std::uint32_t> best;  // arcs of the best packing found
   };
 
-  Node& node(std::size_t depth) {
-    while (nodes_at_.size() <= depth) nodes_at_.push_back(std::make_unique<Node>());
-    return *nodes_at_[depth];
-  }
-
   // Least slack below the budget, or +inf; its arcs are then the node's best.
   double solve(std::size_t depth, double budget) {
-    Node& here = node(depth);
+    Node& here = nodes_[depth];
     here.best.clear();
-    here.forced.clear();
     double spent = 0;
-    do {
-      if (moves_.is_stopped() || depth > std::size_t{kMostProofSearchDepth}) {
-        moves_.stop();
-        return kInfinity;
-      }
-      if (!moves_.settle(here, spent, budget) || !moves_.ascend(here, spent, budget))
-        return kInfinity;
-    } while (moves_.force(here, spent, budget));
+    if (!moves_.tighten(here, spent, budget, depth > std::size_t{kMostProofSearchDepth}))
+      return kInfinity;
     if (!here.rows.empty()) spent += divide(depth, budget - spent);
     if (!(spent < budget)) return kInfinity;
     here.best.insert(here.best.end(), here.forced.begin(), here.forced.end());
@@ -71,14 +58,14 @@ class SlackSearch {
   }
 
   double divide(std::size_t depth, double budget) {
-    return moves_.falls_apart(node(depth)) ? solve_parts(depth, budget) : branch(depth, budget);
+    return moves_.falls_apart(nodes_[depth]) ? solve_parts(depth, budget) : branch(depth, budget);
   }
 
   double solve_parts(std::size_t depth, double budget) {
-    Node& here = node(depth);
+    Node& here = nodes_[depth];
     double spent = 0;
     for (std::size_t p = 0; p < here.parts.size(); ++p) {
-      Node& part = node(depth + 1);
+      Node& part = nodes_[depth + 1];
       here.parts.copy(p, here.arcs, here.rows, part.arcs, part.rows);
       part.may_split = false;
       const double slack = solve(depth + 1, budget - spent);
@@ -90,7 +77,7 @@ class SlackSearch {
   }
 
   double branch(std::size_t depth, double budget) {
-    Node& here = node(depth);
+    Node& here = nodes_[depth];
     const OpenRow row = moves_.narrowest(here, budget);
     moves_.list_choices(here, row.row);
     double least = kInfinity;
@@ -98,11 +85,11 @@ class SlackSearch {
       const double limit = std::min(budget, least) - choice.reduced;
       if (moves_.stopped() || !(limit > 0)) break;
       moves_.occupy(choice.arc);
-      moves_.take(here, std::span(&choice.arc, 1), limit, node(depth + 1));
+      moves_.take(here, std::span(&choice.arc, 1), limit, nodes_[depth + 1]);
       const double slack = solve(depth + 1, limit);
       if (slack < limit) {
         least = choice.reduced + slack;
-        here.best = node(depth + 1).best;
+        here.best = nodes_[depth + 1].best;
         here.best.push_back(choice.arc);
       }
       // More arcs may fit into a cut: not in every order.
@@ -111,16 +98,16 @@ class SlackSearch {
     const double price = row.left * row.price;
     const double limit = std::min(budget, least) - price;
     if (moves_.stopped() || !(limit > 0)) return least;
-    moves_.leave(here, row.row, node(depth + 1));
+    moves_.leave(here, row.row, nodes_[depth + 1]);
     const double slack = solve(depth + 1, limit);
     if (!(slack < limit)) return least;
-    here.best = node(depth + 1).best;
+    here.best = nodes_[depth + 1].best;
     return price + slack;
   }
 
   const SlackProblem& problem_;
   SlackMoves moves_;
-  std::vector<std::unique_ptr<Node>> nodes_at_;  // by depth
+  NodesByDepth<Node> nodes_;
 };
 
 }  // namespace

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <span>
 #include <utility>
 
+#include "bnb/component_slack.hpp"
 #include "relax/lagrangian.hpp"
 #include "solve/component_solver.hpp"
 
@@ -78,18 +78,10 @@ SlackRanking Part::rank(double reach,
                         const bnb::SlackLimits& limits,
                         Combinations& combinations) const {
   const double budget = beyond(least_ + reach, error_);
-  bnb::SlackProblem slack(static_cast<std::uint32_t>(price_.size()));
-  for (const double price : price_) slack.add_row(price);
-  std::vector<bnb::RowUse> uses;
+  const bnb::ComponentSlack slack = bnb::slack_of(component_, price_, reduced_, budget);
   std::vector<std::uint32_t> names;
-  for (ArcId a = 0; a < reduced_.size(); ++a) {
-    if (!(reduced_[a] < budget)) continue;
-    uses.clear();
-    core::for_each_slot(component_, a, [&](std::uint32_t s) { uses.push_back({s, 1}); });
-    slack.add_arc(reduced_[a], uses);
-    names.push_back(core::original_arc(component_, a));
-  }
-  return rank_slack(slack, budget, k, limits, names, combinations);
+  for (const ArcId a : slack.arcs) names.push_back(core::original_arc(component_, a));
+  return rank_slack(slack.problem, budget, k, limits, names, combinations);
 }
 
 }  // namespace nda::kbest

@@ -1,7 +1,6 @@
 #include "kbest/slack_ranking.hpp"
 
 #include <algorithm>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -47,7 +46,7 @@ class Ranking {
         moves_(problem, budget, limits, bnb::FreeRows::kKeep) {}
 
   SlackRanking run(double budget) {
-    moves_.open(node(0));
+    moves_.open(nodes_[0]);
     SlackRanking result;
     result.packings = solve(0, budget);
     result.complete = !moves_.stopped();
@@ -56,11 +55,6 @@ class Ranking {
   }
 
  private:
-  SlackNode& node(std::size_t depth) {
-    while (nodes_at_.size() <= depth) nodes_at_.push_back(std::make_unique<SlackNode>());
-    return *nodes_at_[depth];
-  }
-
   // What a list may still take.
   double limit(const RankedList& list, double budget) const {
     return list.size() < k_ ? budget : std::min(budget, list.back().slack);
@@ -68,16 +62,9 @@ class Ranking {
 
   // The k least below the budget.
   RankedList solve(std::size_t depth, double budget) {
-    SlackNode& here = node(depth);
-    here.forced.clear();
+    SlackNode& here = nodes_[depth];
     double spent = 0;
-    do {
-      if (moves_.is_stopped() || depth > kMostDepth) {
-        moves_.stop();
-        return {};
-      }
-      if (!moves_.settle(here, spent, budget) || !moves_.ascend(here, spent, budget)) return {};
-    } while (moves_.force(here, spent, budget));
+    if (!moves_.tighten(here, spent, budget, depth > kMostDepth)) return {};
     Combination forced = kNothing;
     for (const std::uint32_t arc : here.forced)
       forced = combinations_.join(forced, combinations_.single(names_[arc]));
@@ -94,14 +81,14 @@ class Ranking {
   }
 
   RankedList divide(std::size_t depth, double budget) {
-    return moves_.falls_apart(node(depth)) ? solve_parts(depth, budget) : branch(depth, budget);
+    return moves_.falls_apart(nodes_[depth]) ? solve_parts(depth, budget) : branch(depth, budget);
   }
 
   RankedList solve_parts(std::size_t depth, double budget) {
-    SlackNode& here = node(depth);
+    SlackNode& here = nodes_[depth];
     RankedList list = {{0, kNothing}};
     for (std::size_t p = 0; p < here.parts.size() && !list.empty(); ++p) {
-      SlackNode& part = node(depth + 1);
+      SlackNode& part = nodes_[depth + 1];
       here.parts.copy(p, here.arcs, here.rows, part.arcs, part.rows);
       part.may_split = false;
       const RankedList found = solve(depth + 1, budget - list.front().slack);
@@ -112,7 +99,7 @@ class Ranking {
   }
 
   RankedList branch(std::size_t depth, double budget) {
-    SlackNode& here = node(depth);
+    SlackNode& here = nodes_[depth];
     const OpenRow row = moves_.narrowest(here, budget);
     moves_.list_choices(here, row.row);
     RankedList list;
@@ -120,7 +107,7 @@ class Ranking {
       const double left = limit(list, budget) - choice.reduced;
       if (moves_.stopped() || !(left > 0)) break;
       moves_.occupy(choice.arc);
-      moves_.take(here, std::span(&choice.arc, 1), left, node(depth + 1));
+      moves_.take(here, std::span(&choice.arc, 1), left, nodes_[depth + 1]);
       merge(list, solve(depth + 1, left), choice.reduced, combinations_.single(names_[choice.arc]));
       // More arcs may fit into a cut: not in every order.
       if (row.row >= problem_.num_indices()) SlackMoves::drop(here, choice.arc);
@@ -128,7 +115,7 @@ class Ranking {
     const double price = row.left * row.price;
     const double left = limit(list, budget) - price;
     if (moves_.stopped() || !(left > 0)) return list;
-    moves_.leave(here, row.row, node(depth + 1));
+    moves_.leave(here, row.row, nodes_[depth + 1]);
     merge(list, solve(depth + 1, left), price, kNothing);
     return list;
   }
@@ -144,7 +131,7 @@ class Ranking {
   const std::span<const std::uint32_t> names_;
   Combinations& combinations_;
   SlackMoves moves_;
-  std::vector<std::unique_ptr<SlackNode>> nodes_at_;  // by depth
+  bnb::NodesByDepth<SlackNode> nodes_;
 };
 
 }  // namespace
