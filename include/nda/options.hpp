@@ -22,6 +22,12 @@ enum class RecoveryMethod {
   kLocalSearch,  ///< the recursion, then descent by local search
 };
 
+/// Which of the index alignments that nonsmooth optimisation passes is recovered from.
+enum class AlignmentRule {
+  kBestValue,       ///< that of the best multipliers
+  kLeastViolation,  ///< that of the shortest subgradient; of several, the best multipliers
+};
+
 /// How a component is solved.
 enum class Method {
   kAuto,        ///< small ones exactly, large ones by relaxation, fixing and branching
@@ -49,6 +55,10 @@ struct RelaxationOptions {
   /// Method::kAuto: at the best only where a linear program follows, else at every 100 or more.
   int recovery_interval = 10;
   double relative_tolerance = 1e-7;  ///< stop when the predicted increase falls below; >= 0
+  AlignmentRule alignment = AlignmentRule::kBestValue;
+  /// Maximise the dual of the inner problem (docs/k_best.md) before that of the recovery problem,
+  /// with so many evaluations; 0 = leave it out.
+  int inner_evaluations = 0;
 };
 
 /// Search for good solutions besides the recovery.
@@ -56,6 +66,19 @@ struct SearchOptions {
   Reductions reductions = Reductions::kQuick;
   bool local_search = true;  ///< local search and neighbourhood search where bounds do not end it
   int kicks_per_index = 2;   ///< of local search: random moves per index of the component; >= 0
+};
+
+/// How solve_k_best() finds the solutions after the first (docs/k_best.md).
+enum class RankingMethod {
+  kExact,       ///< all within reach: every rank proven
+  kAlignments,  ///< partial branch and bound over index alignments: good ones, without proof
+  kMurty,       ///< the same over the best two-dimensional assignments of the best multipliers
+};
+
+/// The k best.
+struct RankingOptions {
+  RankingMethod method = RankingMethod::kExact;
+  int branches = 4;  ///< of partial branch and bound: alignments followed at each stage; >= 1
 };
 
 /// Branch and bound.
@@ -93,6 +116,7 @@ struct Options {
   RelaxationOptions relaxation;
   SearchOptions search;
   BranchOptions branch;
+  RankingOptions ranking;
 
   /// Called on every improvement, whenever a component is done, and with the event "working" when
   /// there was neither for a second; by a thread that solves, never concurrently.  Return false to

@@ -159,6 +159,16 @@ void add_relaxation(std::vector<OptionRow>& rows) {
       [](auto& options) -> auto& { return options.relaxation.relative_tolerance; },
       {},
       "stop when the predicted increase of the dual falls below"));
+  rows.push_back(choice<AlignmentRule>(
+      "relaxation.alignment",
+      [](auto& options) -> auto& { return options.relaxation.alignment; },
+      {"best_value", "least_violation"},
+      "which index alignment is recovered from"));
+  rows.push_back(number<int>(
+      "relaxation.inner_evaluations",
+      [](auto& options) -> auto& { return options.relaxation.inner_evaluations; },
+      {},
+      "evaluations of the dual function of each inner problem; 0 = no inner problem"));
 }
 
 void add_search_and_branch(std::vector<OptionRow>& rows) {
@@ -194,6 +204,19 @@ void add_search_and_branch(std::vector<OptionRow>& rows) {
       "evaluations of the dual function at a node"));
 }
 
+void add_ranking(std::vector<OptionRow>& rows) {
+  rows.push_back(choice<RankingMethod>(
+      "ranking.method",
+      [](auto& options) -> auto& { return options.ranking.method; },
+      {"exact", "alignments", "murty"},
+      "how the solutions after the first are found"));
+  rows.push_back(number<int>(
+      "ranking.branches",
+      [](auto& options) -> auto& { return options.ranking.branches; },
+      {1},
+      "of partial branch and bound: alignments followed at each stage"));
+}
+
 }  // namespace
 
 const std::vector<OptionRow>& option_table() {
@@ -202,6 +225,7 @@ const std::vector<OptionRow>& option_table() {
     add_general(rows);
     add_relaxation(rows);
     add_search_and_branch(rows);
+    add_ranking(rows);
     return rows;
   }();
   return table;

@@ -1,19 +1,14 @@
 #include "recovery/recursive.hpp"
 
-#include <algorithm>
+#include <vector>
 
-#include "core/slices.hpp"
-#include "decompose/components.hpp"
-#include "recovery/packing_state.hpp"
+#include "recovery/inner_problem.hpp"
+#include "recovery/recovery_problem.hpp"
 #include "relax/lagrangian.hpp"
 
-// The relaxed solution covers dimensions 0 and 1 properly and the others not.  The report keeps
-// what is right: every chosen pair (i1, i2) becomes one row j of a problem with one dimension less,
-// whose solution says how the pairs go on.  Arcs of cell (0, 0) stay free whatever the relaxed
-// solution chose (report, before (3.7)). Arcs that are not in the sparse set are simply absent; row
-// j may always stay uncovered, which is the report's c(j 0..0) = sum of singletons, 0 in shifted
-// form. Only after it is formulated can a recovery problem be decomposed (4.7), and it nearly
-// always falls apart: an alignment cuts most connections.
+// The report's recursion: the recovery problem of an alignment is an assignment problem of one
+// dimension less, solved by the same means.  With inner problems (the paper on partial branch and
+// bound, section 2.2) its multipliers start at those that are best for the alignment.
 
 namespace nda::recovery {
 namespace {
@@ -24,86 +19,23 @@ using core::Deadline;
 using core::Packing;
 using relax::DualFunction;
 
-// True when all indices from dimension 2 on are dummies.
-bool ends_here(const Component& component, ArcId a) {
-  for (int k = 2; k < component.num_dimensions(); ++k) {
-    if (component.index(k, a) != 0) return false;
-  }
-  return true;
-}
-
-class Builder {
- public:
-  Builder(const Component& component, const Deadline& deadline)
-      : component_(component), deadline_(deadline) {}
-
-  RecoveryProblem build(const DualFunction& point) {
-    const relax::Cells& cells = point.cells();
-    std::vector<std::uint32_t> rows(point.aligned_cells().begin(), point.aligned_cells().end());
-    std::sort(rows.begin(), rows.end());
-    std::vector<Index> sizes = {static_cast<Index>(rows.size())};
-    sizes.insert(sizes.end(), component_.sizes.begin() + 2, component_.sizes.end());
-    Component& component = result_.component;
-    component = core::make_component(std::move(sizes));
-    result_.default_arc.assign(rows.size() + 1, kNoArc);
-    if (cells.num_free() > 0) add_row(0, cells.num_free(), 0);
-    core::for_each_until(deadline_, rows.size(), [&](std::size_t j) {
-      const std::uint32_t cell = rows[j];
-      add_row(cells.first_arc[cell], cells.first_arc[cell + 1], static_cast<Index>(j + 1));
-    });
-    const std::span<Index> row = component.indices[0].allocate(row_.size());
-    std::copy(row_.begin(), row_.end(), row.begin());
-    for (std::size_t k = 2; k < component_.sizes.size(); ++k) copy_column(k);
-    return std::move(result_);
-  }
-
- private:
-  void copy_column(std::size_t k) {
-    const std::vector<ArcId>& arcs = result_.component.arc_origin;
-    const Index* from = component_.indices[k].data();
-    const std::span<Index> to = result_.component.indices[k - 1].allocate(arcs.size());
-    for (std::size_t n = 0; n < arcs.size(); ++n) to[n] = from[arcs[n]];
-  }
-
-  // Row j, of arcs first..end-1 of a cell.
-  void add_row(ArcId first, ArcId end, Index j) {
-    double base = 0;
-    // (j, 0..0) is lexicographically the first arc of its cell.
-    if (ends_here(component_, first)) {
-      base = std::min(0.0, component_.costs[first]);
-      if (base < 0) result_.default_arc[j] = first;
-      ++first;
-    }
-    Component& component = result_.component;
-    for (ArcId a = first; a < end; ++a) {
-      if (component_.costs[a] - base >= 0) continue;
-      row_.push_back(j);
-      component.costs.push_back(component_.costs[a] - base);
-      component.arc_origin.push_back(a);
-    }
-  }
-
-  const Component& component_;
-  const Deadline& deadline_;
-  std::vector<Index> row_;  // of every arc of the result
-  RecoveryProblem result_;
-};
-
 // The recovery problem drops a dimension, and with it arcs of two real indices may become
 // singletons: (0, 0, i3, 0..) cannot occur, but a part may consist of one dimension only when every
 // arc is (j, 0..0).
 Packing solve_part(const Component& part,
+                   std::span<const double> warm,
                    const RelaxationOptions& options,
                    const Deadline& deadline) {
   relax::LagrangianOptions loop;
   loop.dual_method = options.dual_method;
   loop.assign2d = options.assign2d;
+  loop.alignment_rule = options.alignment;
   loop.max_evaluations = part.num_dimensions() == 2 ? 1 : options.recovery_evaluations;
   loop.recovery_interval = part.num_dimensions() <= 3 ? 1 : 0;
   loop.certify = false;
   loop.deadline = deadline;
   return relax::maximize_dual(part,
-                              {},
+                              warm,
                               loop,
                               [&](const DualFunction& point) {
                                 return recover_recursively(part, point, options, deadline);
@@ -121,41 +53,24 @@ Packing take_chosen(const Component& component, const DualFunction& point) {
 
 }  // namespace
 
-RecoveryProblem make_recovery_problem(const Component& component,
-                                      const DualFunction& point,
-                                      const Deadline& deadline) {
-  return Builder(component, deadline).build(point);
-}
-
 Packing recover_recursively(const Component& component,
                             const DualFunction& point,
                             const RelaxationOptions& options,
                             const Deadline& deadline) {
   if (component.num_dimensions() == 2) return take_chosen(component, point);
-  const RecoveryProblem problem = make_recovery_problem(component, point, deadline);
-  std::vector<bool> covered(problem.default_arc.size(), false);
-  Packing packing;
-  const auto take = [&](ArcId a) {
-    packing.arcs.push_back(a);
-    packing.cost += component.costs[a];
-  };
-  core::Cutter cutter;
-  const decompose::Partition parts = decompose::partition(problem.component, deadline);
-  for (std::size_t c = 0; c < parts.num_components() && !deadline.reached(); ++c) {
-    // Cut without the origins of the recovery problem, so that arcs of the part point into it.
-    Component part = cutter.cut(problem.component, parts.component(c));
-    std::copy(parts.component(c).begin(), parts.component(c).end(), part.arc_origin.begin());
-    for (const ArcId a : solve_part(part, options, deadline).arcs) {
-      const ArcId in_problem = part.arc_origin[a];
-      covered[problem.component.indices[0][in_problem]] = true;
-      take(problem.component.arc_origin[in_problem]);
-    }
+  const RecoveryProblem problem =
+      make_recovery_problem(component, point.cells(), point.aligned_cells(), deadline);
+  const bool inner = options.inner_evaluations > 0 && component.num_dimensions() > 3;
+  std::vector<double> u(inner ? component.num_slots() : 0);
+  if (inner) point.multipliers(u);
+  std::vector<ArcId> arcs;
+  for (const Component& part : cut_parts(problem, deadline)) {
+    std::vector<double> warm;
+    if (inner) warm = maximize_inner({component, problem, part}, u, options, deadline).u;
+    for (const ArcId a : solve_part(part, warm, options, deadline).arcs)
+      arcs.push_back(part.arc_origin[a]);
   }
-  for (std::size_t j = 1; j < covered.size(); ++j) {
-    if (!covered[j] && problem.default_arc[j] != kNoArc) take(problem.default_arc[j]);
-  }
-  std::sort(packing.arcs.begin(), packing.arcs.end());
-  return packing;
+  return recovered_packing(component, problem, arcs);
 }
 
 }  // namespace nda::recovery

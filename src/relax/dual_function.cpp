@@ -136,6 +136,7 @@ double DualFunction::evaluate(std::span<const double> u, std::span<double> subgr
   for (std::size_t k = 2; k < component_.sizes.size(); ++k) {
     subgradient[component_.offset[k] - first_slot_] = 0.0;
   }
+  violation_ = std::inner_product(subgradient.begin(), subgradient.end(), subgradient.begin(), 0.0);
   return value;
 }
 

@@ -59,6 +59,8 @@ class DualFunction : public dual::ConcaveFunction {
 
   /// The index alignment of the last evaluation: the cells of chosen_arcs() but for the free ones.
   std::span<const std::uint32_t> aligned_cells() const { return aligned_cells_; }
+  /// |g|^2 of the last evaluation: 0 where the relaxed solution is feasible.
+  double violation() const { return violation_; }
   const Cells& cells() const { return cells_; }
 
   /// Multipliers of all slots at the last evaluated u: the assignment's duals for dimensions 0 and
@@ -84,6 +86,7 @@ class DualFunction : public dual::ConcaveFunction {
   std::vector<core::ArcId> chosen_;
   std::vector<std::uint32_t> aligned_cells_;
   std::unique_ptr<Assignment> assignment_;
+  double violation_ = 0;
   bool interrupted_ = false;
 };
 

@@ -26,11 +26,16 @@ class Loop {
         recover_(recover),
         deadline_(options.deadline.earlier(options.certify_s)),
         function_(component, options.assign2d, deadline_),
+        pool_(options.alignment_rule, options.num_alignments),
         best_multipliers_(component.num_slots(), 0.0) {}
 
   DualFunction& function() { return function_; }
   const std::vector<double>& best_multipliers() const { return best_multipliers_; }
-  LagrangianResult& result() { return result_; }
+
+  LagrangianResult take() {
+    result_.alignments = pool_.take();
+    return std::move(result_);
+  }
 
   // Returns false to stop.
   bool observe(const dual::Iterate& iterate) {
@@ -38,26 +43,28 @@ class Loop {
     ++result_.evaluations;
     if (iterate.value > best_value_) {
       best_value_ = iterate.value;
-      best_point_.assign(iterate.point.begin(), iterate.point.end());
       function_.multipliers(best_multipliers_);
-      recovered_at_best_ = false;
     }
+    const double violation = function_.violation();
+    if (pool_.would_lead(iterate.value, violation)) recovered_at_best_ = false;
+    pool_.offer(function_.aligned_cells(), iterate.point, iterate.value, violation);
     const int since_first = result_.evaluations - options_.first_recovery;
     if (options_.recovery_interval > 0 && since_first >= 0 &&
         since_first % options_.recovery_interval == 0) {
       recover();
-      recovered_at_best_ = recovered_at_best_ || iterate.value == best_value_;
+      recovered_at_best_ = recovered_at_best_ || pool_.is_level(iterate.value, violation);
     }
     step_ = {};
     return best_value_ < goal() && has_time();
   }
 
   void recover_at_best() {
-    if (!recover_ || recovered_at_best_ || best_point_.empty()) return;
+    if (!recover_ || recovered_at_best_ || pool_.best().empty()) return;
     if (result_.recoveries > 0 && best_value_ >= goal()) return;
     if ((result_.recoveries > 0 || !options_.always_recover) && !has_time()) return;
-    std::vector<double> subgradient(best_point_.size());
-    function_.evaluate(best_point_, subgradient);
+    const std::vector<double>& point = pool_.best().front().point;
+    std::vector<double> subgradient(point.size());
+    function_.evaluate(point, subgradient);
     recover();
   }
 
@@ -81,8 +88,8 @@ class Loop {
   core::Stopwatch step_;  // since the last observation
   double step_s_ = 0;     // what the last evaluation took
   DualFunction function_;
+  AlignmentPool pool_;
   std::vector<double> best_multipliers_;
-  std::vector<double> best_point_;
   double best_value_ = -kInfinity;
   bool recovered_at_best_ = false;
   LagrangianResult result_;
@@ -151,10 +158,9 @@ LagrangianResult maximize_dual(const Component& component,
     return loop.observe(iterate);
   });
   std::vector<double> u = loop.best_multipliers();
-  const double lower =
-      options.certify ? make_feasible(component, u, options.deadline) : -kInfinity;
+  const double lower = options.certify ? make_feasible(component, u, options.deadline) : -kInfinity;
   if (!options.settle || !options.settle(u, lower)) loop.recover_at_best();
-  LagrangianResult result = std::move(loop.result());
+  LagrangianResult result = loop.take();
   result.u = std::move(u);
   result.lower = lower;
   return result;

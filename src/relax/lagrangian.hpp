@@ -7,6 +7,7 @@
 #include "core/clock.hpp"
 #include "core/component.hpp"
 #include "nda/options.hpp"
+#include "relax/alignment.hpp"
 #include "relax/dual_function.hpp"
 
 namespace nda::relax {
@@ -22,6 +23,9 @@ struct LagrangianOptions {
   int max_evaluations = 100;
   int bundle_size = 40;  ///< subgradients that the bundle keeps
   double relative_tolerance = 1e-7;
+  /// Which evaluation is the best point for recovery, and how many distinct alignments are kept.
+  AlignmentRule alignment_rule = AlignmentRule::kBestValue;
+  std::size_t num_alignments = 1;
   /// Recover at evaluations first, first + interval, ... (interval 0: at none), and at the best
   /// point.
   int recovery_interval = 1;
@@ -38,6 +42,7 @@ struct LagrangianResult {
   std::vector<double> u;      ///< multipliers of all slots: u <= 0, all reduced costs >= 0
   double lower = -kInfinity;  ///< sum u, a lower bound on every packing; -inf if there was no time
   core::Packing best;         ///< best recovered packing; empty (cost 0) if none is better
+  std::vector<Alignment> alignments;  ///< best first; none from the coordinate method
   int evaluations = 0;
   int recoveries = 0;
 };

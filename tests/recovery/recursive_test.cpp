@@ -7,6 +7,7 @@
 #include <map>
 
 #include "recovery/packing_state.hpp"
+#include "recovery/recovery_problem.hpp"
 #include "support/components.hpp"
 #include "support/tiny_problems.hpp"
 
@@ -58,7 +59,8 @@ TEST(RecoveryProblem, MakesOneRowOfEveryAlignedPair) {
       {{{1, 1, 1}, -4}, {{1, 1, 2}, -5}, {{1, 2, 1}, -1}, {{2, 2, 1}, -2}, {{2, 2, 2}, -4}});
   DualFunction point(component);
   evaluate_at_zero(point);
-  const RecoveryProblem problem = make_recovery_problem(component, point);
+  const RecoveryProblem problem =
+      make_recovery_problem(component, point.cells(), point.aligned_cells());
   EXPECT_THAT(problem.component.sizes, ElementsAre(2, 2));
   EXPECT_THAT(tuples_of(problem.component),
               ElementsAre(Tuple{1, 1}, Tuple{1, 2}, Tuple{2, 1}, Tuple{2, 2}));
@@ -74,7 +76,8 @@ TEST(RecoveryProblem, ShiftsTheArcThatEndsARowAway) {
       component_of({1, 1, 2}, {{{1, 1, 0}, -3}, {{1, 1, 1}, -2}, {{1, 1, 2}, -7}});
   DualFunction point(component);
   evaluate_at_zero(point);
-  const RecoveryProblem problem = make_recovery_problem(component, point);
+  const RecoveryProblem problem =
+      make_recovery_problem(component, point.cells(), point.aligned_cells());
   EXPECT_THAT(tuples_of(problem.component), ElementsAre(Tuple{1, 2}));
   EXPECT_THAT(problem.component.costs, ElementsAre(-4));
   EXPECT_THAT(problem.default_arc, ElementsAre(kNoArc, 0));
@@ -85,7 +88,8 @@ TEST(RecoveryProblem, LeavesDearEndsOut) {
   const Component component = component_of({1, 1, 2}, {{{1, 1, 0}, 3}, {{1, 1, 2}, -7}});
   DualFunction point(component);
   evaluate_at_zero(point);
-  const RecoveryProblem problem = make_recovery_problem(component, point);
+  const RecoveryProblem problem =
+      make_recovery_problem(component, point.cells(), point.aligned_cells());
   EXPECT_THAT(problem.component.costs, ElementsAre(-7));
   EXPECT_THAT(problem.default_arc, ElementsAre(kNoArc, kNoArc));
 }
@@ -98,7 +102,8 @@ TEST(RecoveryProblem, KeepsTheCellOfTwoDummiesFree) {
   std::vector<double> g(u.size());
   point.evaluate(u, g);
   ASSERT_THAT(point.chosen_arcs(), IsEmpty()) << "all are too dear there";
-  const RecoveryProblem problem = make_recovery_problem(component, point);
+  const RecoveryProblem problem =
+      make_recovery_problem(component, point.cells(), point.aligned_cells());
   EXPECT_THAT(problem.component.sizes, ElementsAre(0, 2, 2));
   EXPECT_THAT(tuples_of(problem.component), ElementsAre(Tuple{0, 1, 1}, Tuple{0, 2, 2}));
   EXPECT_THAT(problem.component.costs, ElementsAre(-2, -3));
@@ -184,7 +189,8 @@ TEST(RecoveryProblem, IsTheOneOfItsDefinition) {
     const std::map<Cell, Index> rows = point.rows();
     std::vector<ArcId> default_arc(rows.size(), kNoArc);
     const std::vector<Expected> expected = naive_recovery(point.component, rows, default_arc);
-    const RecoveryProblem problem = make_recovery_problem(point.component, point.function);
+    const RecoveryProblem problem = make_recovery_problem(
+        point.component, point.function.cells(), point.function.aligned_cells());
     EXPECT_EQ(problem.component.sizes[0], rows.size() - 1);
     EXPECT_EQ(problem.default_arc, default_arc);
     ASSERT_EQ(problem.component.num_arcs(), expected.size());

@@ -1,0 +1,76 @@
+#include "recovery/inner_problem.hpp"
+
+#include <algorithm>
+
+#include "recovery/packing_state.hpp"
+#include "relax/lagrangian.hpp"
+
+// An alignment forbids all other pairs (i1, i2), so the best dual value of the arcs it leaves is a
+// better bound on what it can give than that of all arcs, and the multipliers that attain it are a
+// better start for the recovery problem, which has the same relaxed indices but one.  As the
+// recovery problem falls apart, so does the inner one: each part is maximised by itself.
+
+namespace nda::recovery {
+namespace {
+
+using core::ArcId;
+using core::Component;
+
+// The arcs of the inner problem, ascending.
+std::vector<ArcId> inner_arcs(const RecoveryPart& from) {
+  std::vector<ArcId> arcs;
+  Index last = 0;
+  for (const ArcId in_problem : from.part.arc_origin) {
+    const Index row = from.problem.component.index(0, in_problem);
+    if (row != last && from.problem.default_arc[row] != kNoArc)
+      arcs.push_back(from.problem.default_arc[row]);
+    last = row;
+    arcs.push_back(from.problem.component.arc_origin[in_problem]);
+  }
+  return arcs;
+}
+
+// What the part costs with every row left alone: the recovery problem does not count it.
+double default_cost(const RecoveryPart& from) {
+  double cost = 0;
+  Index last = 0;
+  for (const ArcId in_problem : from.part.arc_origin) {
+    const Index row = from.problem.component.index(0, in_problem);
+    const ArcId arc = from.problem.default_arc[row];
+    if (row != last && arc != kNoArc) cost += from.component.costs[arc];
+    last = row;
+  }
+  return cost;
+}
+
+// Multipliers of the part, those of its rows 0: dimension d of the recovery problem is dimension
+// d + 1 of the component.
+std::vector<double> of_part(const RecoveryPart& from, std::span<const double> u) {
+  std::vector<double> part_u(from.part.num_slots(), 0.0);
+  core::for_each_index(from.part, [&](std::uint32_t slot, std::size_t d, Index i) {
+    if (d > 0) part_u[slot] = u[from.component.offset[d + 1] + i];
+  });
+  return part_u;
+}
+
+}  // namespace
+
+InnerResult maximize_inner(const RecoveryPart& from,
+                           std::span<const double> u,
+                           const RelaxationOptions& options,
+                           const core::Deadline& deadline) {
+  core::Cutter cutter;
+  const Component inner = cutter.cut(from.component, inner_arcs(from));
+  relax::LagrangianOptions loop;
+  loop.dual_method = options.dual_method;
+  loop.assign2d = options.assign2d;
+  loop.max_evaluations = std::max(1, options.inner_evaluations);
+  loop.deadline = deadline;
+  const relax::LagrangianResult found =
+      relax::maximize_dual(inner, core::restrict_slots(from.component, u, inner), loop, {});
+  std::vector<double> component_u(u.begin(), u.end());
+  if (!found.u.empty()) core::extend_slots(inner, found.u, from.component, component_u);
+  return {found.lower - default_cost(from), of_part(from, component_u)};
+}
+
+}  // namespace nda::recovery
