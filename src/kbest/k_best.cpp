@@ -12,6 +12,7 @@
 #include "core/shift.hpp"
 #include "decompose/components.hpp"
 #include "kbest/combinations.hpp"
+#include "kbest/near_optimal.hpp"
 #include "kbest/part.hpp"
 #include "kbest/slack_view.hpp"
 #include "nda/solve.hpp"
@@ -209,7 +210,12 @@ class Ranker {
 Solution solve_k_best(const Problem& problem, std::size_t k, const Options& options) {
   if (k == 0) throw InputError("k is 0; at least 1 solution must be asked for");
   Solution solution = solve(problem, options);
-  if (k > 1 && !solution.solutions.empty()) Ranker(problem, solution, k, options).run();
+  if (solution.solutions.empty()) return solution;
+  if (options.ranking.method != RankingMethod::kExact) {
+    kbest::rank_near_optimal(problem, solution, k, options);
+  } else if (k > 1) {
+    Ranker(problem, solution, k, options).run();
+  }
   return solution;
 }
 

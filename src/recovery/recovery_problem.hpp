@@ -6,6 +6,7 @@
 
 #include "core/clock.hpp"
 #include "core/component.hpp"
+#include "recovery/packing_state.hpp"
 #include "relax/collapse.hpp"
 
 namespace nda::recovery {

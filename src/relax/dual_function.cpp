@@ -92,11 +92,10 @@ struct DualFunction::Assignment {
     return true;
   }
 
-  // The cell of the chosen pair (row, column_of_row).
-  std::uint32_t chosen_cell(std::uint32_t row) const {
+  // The cell of a pair.
+  std::uint32_t cell(std::uint32_t row, std::uint32_t wanted) const {
     const auto begin = column.begin() + row_start[row];
     const auto end = column.begin() + row_start[row + 1];
-    const auto wanted = static_cast<std::uint32_t>(result.column_of_row[row]);
     return pair_cell[static_cast<std::size_t>(std::lower_bound(begin, end, wanted) -
                                               column.begin())];
   }
@@ -140,25 +139,41 @@ double DualFunction::evaluate(std::span<const double> u, std::span<double> subgr
   return value;
 }
 
+// Pairs, and the cells of rows and columns that stay out where that pays.
+template <typename Visit>
+void DualFunction::for_each_chosen_cell(const Assign2dResult& answer, Visit&& visit) const {
+  const Assignment& assignment = *assignment_;
+  for (std::uint32_t row = 0; row < assignment.row_cell.size(); ++row) {
+    if (answer.column_of_row[row] != kUnassigned) {
+      visit(assignment.cell(row, static_cast<std::uint32_t>(answer.column_of_row[row])));
+    } else if (assignment.row_outside[row] < 0) {
+      visit(assignment.row_cell[row]);
+    }
+  }
+  for (std::uint32_t column = 0; column < assignment.column_cell.size(); ++column) {
+    const bool outside = answer.row_of_column[column] == kUnassigned;
+    if (outside && assignment.column_outside[column] < 0) visit(assignment.column_cell[column]);
+  }
+}
+
 // Collects the relaxed solution of the assignment (3.5); subgradient then holds minus the uses of
 // its arcs.
 void DualFunction::choose(std::span<double> subgradient) {
   chosen_.clear();
   aligned_cells_.clear();
-  const Assignment& assignment = *assignment_;
-  for (std::uint32_t row = 0; row < assignment.row_cell.size(); ++row) {
-    if (assignment.result.column_of_row[row] != kUnassigned) {
-      take_cell(assignment.chosen_cell(row), subgradient);
-    } else if (assignment.row_outside[row] < 0) {
-      take_cell(assignment.row_cell[row], subgradient);
-    }
-  }
-  for (std::uint32_t column = 0; column < assignment.column_cell.size(); ++column) {
-    const bool outside = assignment.result.row_of_column[column] == kUnassigned;
-    if (outside && assignment.column_outside[column] < 0) {
-      take_cell(assignment.column_cell[column], subgradient);
-    }
-  }
+  for_each_chosen_cell(assignment_->result,
+                       [&](std::uint32_t cell) { take_cell(cell, subgradient); });
+}
+
+Assign2dProblem DualFunction::assignment() const {
+  const Assignment& a = *assignment_;
+  return {a.row_start, a.column, a.cost, a.row_outside, a.column_outside};
+}
+
+std::vector<std::uint32_t> DualFunction::cells_of(const Assign2dResult& answer) const {
+  std::vector<std::uint32_t> cells;
+  for_each_chosen_cell(answer, [&](std::uint32_t cell) { cells.push_back(cell); });
+  return cells;
 }
 
 void DualFunction::take_cell(std::uint32_t cell, std::span<double> subgradient) {

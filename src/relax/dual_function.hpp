@@ -63,6 +63,11 @@ class DualFunction : public dual::ConcaveFunction {
   double violation() const { return violation_; }
   const Cells& cells() const { return cells_; }
 
+  /// The two-dimensional problem of the last evaluation, until the next one or the end of this.
+  Assign2dProblem assignment() const;
+  /// The alignment that an answer to assignment() is.
+  std::vector<std::uint32_t> cells_of(const Assign2dResult& answer) const;
+
   /// Multipliers of all slots at the last evaluated u: the assignment's duals for dimensions 0 and
   /// 1, min(0, u) for the others.  They prove q(u) up to the arcs of cell (0, 0): see
   /// make_feasible().
@@ -71,6 +76,8 @@ class DualFunction : public dual::ConcaveFunction {
  private:
   struct Assignment;
 
+  template <typename Visit>
+  void for_each_chosen_cell(const Assign2dResult& answer, Visit&& visit) const;
   void choose(std::span<double> subgradient);
   void take_cell(std::uint32_t cell, std::span<double> subgradient);
   double take_free_arcs(std::span<double> subgradient);

@@ -1,0 +1,147 @@
+#include "kbest/near_optimal.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <stop_token>
+#include <utility>
+#include <vector>
+
+#include "core/clock.hpp"
+#include "core/component.hpp"
+#include "core/shift.hpp"
+#include "decompose/components.hpp"
+#include "kbest/packing_buffer.hpp"
+#include "kbest/packing_sums.hpp"
+#include "kbest/partial_branch_and_bound.hpp"
+#include "solve/monitor.hpp"
+#include "solve/solutions.hpp"
+
+// The paper's solver has one component and one solution buffer.  Here every component of the
+// problem has its own, which begins with what solve() found there, and the best sums of one packing
+// of each are the answer.
+
+namespace nda::kbest {
+namespace {
+
+using core::ArcId;
+using core::Component;
+using core::Packing;
+
+// A bound this close to the cost, as a share of it, proves it.
+constexpr double kNegligible = 1e-9;
+
+class NearOptimal {
+ public:
+  NearOptimal(const Problem& problem, Solution& solution, std::size_t k, const Options& options)
+      : problem_(problem),
+        solution_(solution),
+        k_(k),
+        options_(options),
+        forward_stop_(options.stop, pipeline::StopForwarder{stop_}),
+        monitor_(options.progress, stop_),
+        deadline_(
+            options.time_limit_s - solution.stats.solve_seconds, stop_.get_token(), &heartbeat_),
+        shift_(core::make_shift(problem, deadline_)),
+        sums_(k) {
+    for (const std::vector<Index>& tuple : solution.solutions.front().arcs)
+      best_.push_back(static_cast<ArcId>(*problem.find(tuple)));
+  }
+
+  void run() {
+    const decompose::Partition partition = decompose::partition(problem_, shift_, deadline_);
+    for (std::size_t c = 0; c < partition.num_components() && !deadline_.reached(); ++c) {
+      lists_.push_back(rank(cutter_.cut(problem_, shift_, partition.component(c)), c));
+      sums_.add(lists_.back());
+    }
+    if (lists_.size() == partition.num_components() && !deadline_.reached()) adopt(solutions());
+    solution_.stats.solve_seconds += deadline_.seconds();
+  }
+
+ private:
+  // In arcs of the problem.
+  std::vector<Packing> rank(const Component& component, std::size_t c) {
+    PackingBuffer buffer(k_);
+    Packing first = core::make_packing(component, core::arcs_from_original(component, best_));
+    const double before = first.cost;
+    buffer.add(std::move(first));
+    PartialBranchAndBound search(options_, k_, deadline_);
+    for (Packing& packing : search.rank(component, multipliers(component)))
+      buffer.add(std::move(packing));
+    solution_.stats.dual_evaluations += search.work().evaluations;
+    solution_.stats.recoveries += search.work().leaves;
+    solution_.stats.nodes += search.work().branches;
+    std::vector<Packing> packings = buffer.take();
+    if (c < solution_.components.size())
+      solution_.components[c].cost += packings.front().cost - before;
+    for (Packing& packing : packings) {
+      for (ArcId& a : packing.arcs) a = component.arc_origin[a];
+    }
+    return packings;
+  }
+
+  std::vector<double> multipliers(const Component& component) const {
+    std::vector<double> u(component.num_slots(), 0.0);
+    core::for_each_index(component, [&](std::uint32_t slot, std::size_t k, Index i) {
+      u[slot] = solution_.multipliers[k][i - 1] - shift_.base[k][i];
+    });
+    return u;
+  }
+
+  std::vector<RankedSolution> solutions() const {
+    std::vector<RankedSolution> ranks;
+    for (std::size_t n = 0; n < sums_.size(); ++n) {
+      std::vector<ArcId> arcs;
+      for (const auto& [c, i] : sums_.choice(n))
+        arcs.insert(arcs.end(), lists_[c][i].arcs.begin(), lists_[c][i].arcs.end());
+      std::sort(arcs.begin(), arcs.end());
+      const pipeline::Coverage covered = pipeline::coverage(problem_, arcs);
+      RankedSolution next = pipeline::make_solution(problem_, arcs, covered);
+      if (next.cost < kInfinity) ranks.push_back(std::move(next));
+    }
+    std::stable_sort(
+        ranks.begin(), ranks.end(), [](const auto& a, const auto& b) { return a.cost < b.cost; });
+    for (std::size_t r = 0; r < ranks.size(); ++r) ranks[r].rank = static_cast<int>(r) + 1;
+    return ranks;
+  }
+
+  // A better first solution may meet the bound.
+  void adopt(std::vector<RankedSolution> ranks) {
+    RankedSolution& first = ranks.front();
+    if (!solution_.proven && first.cost < solution_.cost &&
+        first.cost - solution_.lower_bound <= kNegligible * std::abs(first.cost)) {
+      solution_.proven = true;
+      solution_.status = Status::kOptimal;
+    }
+    first.proven = solution_.proven;
+    solution_.cost = first.cost;
+    solution_.lower_bound = std::min(solution_.lower_bound, first.cost);
+    solution_.solutions = std::move(ranks);
+  }
+
+  const Problem& problem_;
+  Solution& solution_;
+  const std::size_t k_;
+  const Options& options_;
+  std::stop_source stop_;
+  std::stop_callback<pipeline::StopForwarder> forward_stop_;
+  pipeline::Monitor monitor_;
+  const std::function<void()> heartbeat_ = [this] { monitor_.heartbeat(); };
+  const core::Deadline deadline_;
+  const core::Shift shift_;
+  core::Cutter cutter_;
+  std::vector<ArcId> best_;                  // of the solution, ascending
+  std::vector<std::vector<Packing>> lists_;  // of each component
+  PackingSums sums_;
+};
+
+}  // namespace
+
+void rank_near_optimal(const Problem& problem,
+                       Solution& solution,
+                       std::size_t k,
+                       const Options& options) {
+  NearOptimal(problem, solution, k, options).run();
+}
+
+}  // namespace nda::kbest
