@@ -3,6 +3,7 @@
 /// The whole public face of the library.
 
 #include "nda/assign2d.hpp"
+#include "nda/assign2d_k_best.hpp"
 #include "nda/baselines.hpp"
 #include "nda/check.hpp"
 #include "nda/generate.hpp"

@@ -1,9 +1,9 @@
 #include "nda/assign2d.hpp"
 
-#include <cmath>
 #include <string>
 
 #include "assign2d/auction.hpp"
+#include "assign2d/dense_input.hpp"
 #include "assign2d/network_simplex.hpp"
 #include "assign2d/shortest_path.hpp"
 
@@ -12,13 +12,6 @@ namespace {
 
 [[noreturn]] void reject(const char* name, std::size_t at, const std::string& fault) {
   throw InputError(std::string(name) + "[" + std::to_string(at) + "] " + fault);
-}
-
-void require_costs(const char* name, std::span<const double> costs) {
-  for (std::size_t at = 0; at < costs.size(); ++at) {
-    if (std::isnan(costs[at])) reject(name, at, "is NaN");
-    if (costs[at] == -kInfinity) reject(name, at, "is -inf");
-  }
 }
 
 void require_rows(const Assign2dProblem& problem) {
@@ -56,28 +49,14 @@ void require_columns(const Assign2dProblem& problem) {
   }
 }
 
-// The sparsity pattern of a full matrix.
-struct FullPattern {
-  FullPattern(std::uint32_t num_rows, std::uint32_t num_columns) {
-    column.reserve(std::size_t{num_rows} * num_columns);
-    for (std::uint32_t i = 0; i < num_rows; ++i) {
-      for (std::uint32_t j = 0; j < num_columns; ++j) column.push_back(j);
-      row_start.push_back(static_cast<std::uint32_t>(column.size()));
-    }
-  }
-
-  std::vector<std::uint32_t> row_start = {0};
-  std::vector<std::uint32_t> column;
-};
-
 }  // namespace
 
 void validate(const Assign2dProblem& problem) {
   require_rows(problem);
   require_columns(problem);
-  require_costs("cost", problem.cost);
-  require_costs("row_outside", problem.row_outside);
-  require_costs("column_outside", problem.column_outside);
+  lap::require_costs("cost", problem.cost);
+  lap::require_costs("row_outside", problem.row_outside);
+  lap::require_costs("column_outside", problem.column_outside);
 }
 
 std::unique_ptr<Assign2dSolver> make_assign2d_solver(Assign2dMethod method) {
@@ -103,21 +82,16 @@ Assign2dResult assign2d(std::span<const double> cost_row_major,
                         std::uint32_t num_rows,
                         std::uint32_t num_columns,
                         Assign2dMethod method) {
-  if (cost_row_major.size() != std::size_t{num_rows} * num_columns) {
-    throw InputError("cost_row_major has " + std::to_string(cost_row_major.size()) +
-                     " entries, not " + std::to_string(num_rows) + " x " +
-                     std::to_string(num_columns));
-  }
-  require_costs("cost_row_major", cost_row_major);
-  const std::vector<double> row_outside(num_rows, num_rows > num_columns ? 0 : kInfinity);
-  const std::vector<double> column_outside(num_columns, num_columns > num_rows ? 0 : kInfinity);
+  const lap::DenseInput input(cost_row_major, num_rows, num_columns);
   Assign2dResult result;
   if (method == Assign2dMethod::kShortestPath) {
-    lap::ShortestPathSolver().solve_matrix({cost_row_major, row_outside, column_outside}, result);
+    lap::ShortestPathSolver().solve_matrix({input.cost, input.row_outside, input.column_outside},
+                                           result);
   } else {
-    const FullPattern pattern(num_rows, num_columns);
+    const lap::FullPattern pattern(num_rows, num_columns);
     make_assign2d_solver(method)->solve(
-        {pattern.row_start, pattern.column, cost_row_major, row_outside, column_outside}, result);
+        {pattern.row_start, pattern.column, input.cost, input.row_outside, input.column_outside},
+        result);
   }
   return result;
 }
