@@ -82,15 +82,23 @@ std::vector<Packing> PartialBranchAndBound::rank(const Component& component,
   return buffer.take();
 }
 
-// In two dimensions the relaxed solution is the solution.
+// In two dimensions relaxed solutions are solutions, and the k best are known exactly.
 std::vector<Packing> PartialBranchAndBound::assign(const Component& component, double cutoff) {
   ++work_.leaves;
   relax::DualFunction function(component, options_.relaxation.assign2d, deadline_);
   function.evaluate({}, {});
-  const std::span<const ArcId> chosen = function.chosen_arcs();
-  Packing packing = core::make_packing(component, {chosen.begin(), chosen.end()});
-  if (packing.cost >= cutoff) return {};
-  return {std::move(packing)};
+  Assign2dRanking ranking(function.assignment());
+  PackingBuffer buffer(k_);
+  Assign2dResult answer;
+  for (std::size_t rank = 0; rank < k_ && !deadline_.reached() && ranking.next(answer); ++rank) {
+    std::vector<ArcId> arcs;
+    for (const std::uint32_t cell : function.cells_of(answer))
+      arcs.push_back(function.cells().first_arc[cell]);
+    Packing packing = core::make_packing(component, std::move(arcs));
+    if (packing.cost >= cutoff) break;
+    buffer.add(std::move(packing));
+  }
+  return buffer.take();
 }
 
 // Murty's branching rule: the best assignments of the multipliers where `best` was found.
