@@ -90,7 +90,7 @@ void print_marginals(const Solution& solution, std::size_t k, bool all) {
   const std::size_t ranks = marginals.weights.size();
   if (ranks == 0) return;
   if (marginals.num_proven == ranks && ranks < k) {
-    print("\nmarginals     of all solutions there are\n");
+    print("\nmarginals     exact: there is no solution but these\n");
   } else {
     print(
         "\nmarginals     if the truth is one of these ranks; %zu of %zu proven, the last weighs "

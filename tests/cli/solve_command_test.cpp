@@ -57,7 +57,7 @@ TEST(SolveCommand, WeighsWhatTheRanksHave) {
   EXPECT_THAT(all.output,
               AllOf(HasSubstr("         4           0.000000              1        0        1"
                               "     0.109232\n"),
-                    HasSubstr("\nmarginals     of all 4 solutions there are\n"
+                    HasSubstr("\nmarginals     exact: there is no solution but these\n"
                               "ambiguous     3 of 3 indices; 3 of 3 arcs are in doubt\n"),
                     HasSubstr("\n         1         1      1.08705     0.406155  alone\n"),
                     HasSubstr("\n  0.296923  0 1 1\n")));
