@@ -52,7 +52,7 @@ void print_index(const AmbiguousIndex& index, const Marginals& marginals, bool a
   for (std::size_t n = 0; n < shown; ++n) {
     print("%*s %12.6g  %s\n", n == 0 ? 0 : 33, "", uses[n].first, uses[n].second.c_str());
   }
-  if (shown < uses.size()) print("%*s %12s  and %zu more\n", 33, "", "...", uses.size() - shown);
+  if (shown < uses.size()) print("%*s %12s and %zu more\n", 33, "", "...", uses.size() - shown);
 }
 
 void print_ambiguous(const Marginals& marginals, bool all) {
@@ -85,7 +85,7 @@ void print_arcs(const std::vector<const ArcMarginal*>& arcs, bool all) {
 
 }  // namespace
 
-void print_marginals(const Solution& solution, std::size_t k, bool all) {
+void print_marginals(const Solution& solution, std::size_t k, double seconds, bool all) {
   const Marginals& marginals = *solution.marginals;
   const std::size_t ranks = marginals.weights.size();
   if (ranks == 0) return;
@@ -107,6 +107,7 @@ void print_marginals(const Solution& solution, std::size_t k, bool all) {
         indices,
         in_doubt.size(),
         marginals.arcs.size());
+  print("took          %.4f s\n", seconds);
   if (!marginals.ambiguous.empty()) print_ambiguous(marginals, all);
   if (!in_doubt.empty()) print_arcs(in_doubt, all);
 }

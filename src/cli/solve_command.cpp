@@ -202,6 +202,10 @@ void require_good_output(const std::string& output, const std::string& input) {
   require_other_file(output, input);
 }
 
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
 int solve_file(const SolveArguments& arguments) {
   Options options = make_options(arguments);
   require_good_output(arguments.output, arguments.file);
@@ -211,8 +215,7 @@ int solve_file(const SolveArguments& arguments) {
   const bool json = arguments.json || arguments.output == "-";
   const auto begin = std::chrono::steady_clock::now();
   const Problem problem = read_problem(arguments.file);
-  const double read_seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const double read_seconds = seconds_since(begin);
   ProgressLog log(std::cerr, arguments.log_interval_s);
   options.progress = [&](const Progress& progress) {
     if (!arguments.quiet && !json) log(progress);
@@ -221,7 +224,9 @@ int solve_file(const SolveArguments& arguments) {
   std::signal(SIGINT, on_interrupt);
   Solution solution = solve_k_best(problem, arguments.k, options);
   solution.stats.read_seconds = read_seconds;
+  const auto solved = std::chrono::steady_clock::now();
   if (arguments.marginals) solution.marginals = marginals(solution, {arguments.cost_per_nat});
+  const double marginal_seconds = seconds_since(solved);
   if (!arguments.output.empty() && arguments.output != "-") {
     write_solution(solution, arguments.output);
   }
@@ -236,7 +241,8 @@ int solve_file(const SolveArguments& arguments) {
   } else {
     print_summary(solution);
     if (arguments.k > 1) print_ranks(solution, arguments.verbose);
-    if (solution.marginals) print_marginals(solution, arguments.k, arguments.verbose);
+    if (solution.marginals)
+      print_marginals(solution, arguments.k, marginal_seconds, arguments.verbose);
     if (arguments.verbose) {
       print_components(solution);
       print_reductions(solution);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <span>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -170,9 +172,19 @@ class Summation {
                          // cover it where the base does not
   };
 
-  struct Addition {
-    const Tuple* arc;
-    double weight;
+  struct Hash {
+    std::size_t operator()(const Tuple* tuple) const {
+      std::uint64_t hash = 0;
+      for (const Index i : *tuple) {
+        hash = (hash ^ i) * 0x9E3779B97F4A7C15;
+        hash ^= hash >> 29;
+      }
+      return hash;
+    }
+  };
+
+  struct Equal {
+    bool operator()(const Tuple* a, const Tuple* b) const { return *a == *b; }
   };
 
   static std::size_t heaviest(const std::vector<double>& weights) {
@@ -192,20 +204,21 @@ class Summation {
     std::vector<std::size_t> dropped;  // positions in the base
     auto ours = rank.arcs.begin();
     for (std::size_t b = 0; b < base_.size() || ours != rank.arcs.end();) {
-      if (b == base_.size() || (ours != rank.arcs.end() && *ours < base_[b])) {
-        add_arc(*ours++, r, weight);
-      } else if (ours == rank.arcs.end() || base_[b] < *ours) {
-        dropped.push_back(b++);
-      } else {
+      const bool both = b < base_.size() && ours != rank.arcs.end();
+      if (both && *ours == base_[b]) {
         ++ours;
         ++b;
+      } else if (both ? *ours < base_[b] : b == base_.size()) {
+        add_arc(*ours++, r, weight);
+      } else {
+        dropped.push_back(b++);
       }
     }
     for (const std::size_t b : dropped) drop_arc(b, r, weight);
   }
 
   void add_arc(const Tuple& tuple, std::size_t r, double weight) {
-    additions_.push_back({&tuple, weight});
+    additions_[&tuple].add(weight);
     numbers_.for_each(tuple, [&](std::size_t index) {
       Mark& mark = marks_[index];
       mark.used_by = r + 1;
@@ -224,19 +237,11 @@ class Summation {
     });
   }
 
-  std::vector<ArcMarginal> arcs() {
+  std::vector<ArcMarginal> arcs() const {
     std::vector<ArcMarginal> arcs;
     for (std::size_t b = 0; b < base_.size(); ++b)
       arcs.push_back({base_[b], rest_of(total_, missing_[b])});
-    std::stable_sort(additions_.begin(),
-                     additions_.end(),
-                     [](const Addition& a, const Addition& b) { return *a.arc < *b.arc; });
-    for (auto next = additions_.begin(); next != additions_.end();) {
-      const Tuple& arc = *next->arc;
-      DoubleDouble sum;
-      for (; next != additions_.end() && *next->arc == arc; ++next) sum.add(next->weight);
-      arcs.push_back({arc, rounded(sum)});
-    }
+    for (const auto& [arc, sum] : additions_) arcs.push_back({*arc, rounded(sum)});
     std::sort(arcs.begin(), arcs.end(), [](const ArcMarginal& a, const ArcMarginal& b) {
       return a.arc < b.arc;
     });
@@ -290,7 +295,7 @@ class Summation {
   DoubleDouble total_;                 // 1, but for rounding
   std::vector<DoubleDouble> missing_;  // of each arc of the base: weight of the ranks without it
   std::vector<Mark> marks_;            // of each index
-  std::vector<Addition> additions_;    // arcs that the base lacks
+  std::unordered_map<const Tuple*, DoubleDouble, Hash, Equal> additions_;  // the base lacks them
 };
 
 // How many of the first are proven.

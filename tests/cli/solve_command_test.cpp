@@ -58,7 +58,7 @@ TEST(SolveCommand, WeighsWhatTheRanksHave) {
               AllOf(HasSubstr("         4           0.000000              1        0        1"
                               "     0.109232\n"),
                     HasSubstr("\nmarginals     exact: there is no solution but these\n"
-                              "ambiguous     3 of 3 indices; 3 of 3 arcs are in doubt\n"),
+                              "ambiguous     3 of 3 indices; 3 of 3 arcs are in doubt\ntook "),
                     HasSubstr("\n         1         1      1.08705     0.406155  alone\n"),
                     HasSubstr("\n  0.296923  0 1 1\n")));
   EXPECT_THAT(contents(folder / "a.json"), HasSubstr("\n  \"marginals\": {\n"));
