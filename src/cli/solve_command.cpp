@@ -310,9 +310,10 @@ void add_ranking(CLI::App& parser, const std::shared_ptr<SolveArguments>& argume
       "how likely each arc, pair and index is over the K best, costs being -log likelihood ratios");
   marginals->needs(k);
   parser
-      .add_option("--cost-per-nat",
-                  arguments->cost_per_nat,
-                  "what costs more when it is e times less likely (1); 2 for -2 log likelihoods")
+      .add_option(
+          "--cost-per-nat",
+          arguments->cost_per_nat,
+          "the cost that makes a solution e times less likely (1); 2 for -2 log likelihoods")
       ->check(above(0))
       ->needs(marginals);
 }
