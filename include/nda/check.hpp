@@ -22,6 +22,8 @@ struct CheckReport {
   /// The stated bound (or infeasibility) is said to rest on the search, and nothing denies it:
   /// that cannot be checked from the multipliers.  Never true together with bound_right.
   bool bound_by_branching = false;
+  /// There are marginals, and they are those of the solutions as stated (1e-9 relative).
+  bool marginals_right = false;
   double cost = kInfinity;                ///< recomputed, of the first solution
   double certificate_bound = -kInfinity;  ///< recomputed from the multipliers, rounded down
   double proof_bound = -kInfinity;        ///< what the proof shows; -inf without one
@@ -37,7 +39,8 @@ struct CheckReport {
 /// A claim that can be denied is a fault: optimal or proven where the bound does not meet the cost
 /// to 1e-9 of the costs chosen, one of the two without the other, infeasible with a solution or
 /// with all singletons free, no solution though all are free, a list that is not best first, a
-/// stated certificate above the real one, a bound above the cost.  Why a solve stopped, and for
+/// stated certificate above the real one, a bound above the cost, marginals that the solutions do
+/// not have.  Why a solve stopped, and for
 /// gap_reached which gap was asked for, is not in the file and is not judged.
 CheckReport check(const Problem& problem, const Solution& solution);
 

@@ -9,6 +9,7 @@
 #include "nda/generate.hpp"
 #include "nda/io.hpp"
 #include "nda/k_best.hpp"
+#include "nda/marginals.hpp"
 #include "nda/options.hpp"
 #include "nda/problem.hpp"
 #include "nda/proof.hpp"

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "nda/marginals.hpp"
 #include "nda/proof.hpp"
 #include "nda/types.hpp"
 
@@ -118,6 +119,10 @@ struct Solution {
   /// show less than lower_bound where a limit stopped the search, where Lagrangian branch and bound
   /// had the last word (Method::kExact, more than two million arcs), and by what rounding takes.
   std::optional<Proof> proof;
+
+  /// What the list says of arcs and indices, where somebody asked marginals() and put it here, for
+  /// files and check().
+  std::optional<Marginals> marginals;
 
   std::vector<ComponentReport> components;
   Stats stats;

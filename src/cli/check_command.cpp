@@ -44,6 +44,9 @@ int check_files(const CheckArguments& arguments) {
             << "feasible            " << verdict(solution, report.feasible) << '\n'
             << "cost right          " << verdict(solution, report.cost_right) << '\n'
             << "bound right         " << bound_verdict(solution, report) << '\n'
+            << (solution.marginals
+                    ? std::string("marginals right     ") + yes_no(report.marginals_right) + "\n"
+                    : "")
             << "cost                " << report.cost << '\n'
             << "certificate bound   " << report.certificate_bound << '\n';
   if (!arguments.proof.empty()) std::cout << "proof's bound       " << report.proof_bound << '\n';

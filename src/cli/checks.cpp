@@ -1,5 +1,6 @@
 #include "cli/checks.hpp"
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <system_error>
@@ -15,6 +16,19 @@ CLI::Validator at_least(double least) {
         if (CLI::detail::lexical_cast(text, value) && value >= least) return std::string();
         char rule[64];
         std::snprintf(rule, sizeof rule, "' given, it must be a number, %.6g or more", least);
+        return "'" + text + rule;
+      },
+      "");
+}
+
+CLI::Validator above(double limit) {
+  return CLI::Validator(
+      [limit](const std::string& text) {
+        double value = 0;
+        const bool is_number = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
+        if (is_number && value > limit) return std::string();
+        char rule[64];
+        std::snprintf(rule, sizeof rule, "' given, it must be a finite number above %.6g", limit);
         return "'" + text + rule;
       },
       "");

@@ -10,6 +10,9 @@ namespace nda::cli {
 /// A number, `least` or more.  NaN is refused.
 CLI::Validator at_least(double least);
 
+/// A finite number above `limit`.
+CLI::Validator above(double limit);
+
 /// The name of a file, not an empty string.
 CLI::Validator file_name();
 

@@ -12,10 +12,12 @@
 #include "cli/checks.hpp"
 #include "cli/commands.hpp"
 #include "cli/print.hpp"
+#include "cli/print_marginals.hpp"
 #include "cli/progress_log.hpp"
 #include "core/option_table.hpp"
 #include "nda/io.hpp"
 #include "nda/k_best.hpp"
+#include "nda/marginals.hpp"
 
 namespace nda::cli {
 namespace {
@@ -35,6 +37,8 @@ struct SolveArguments {
   std::vector<Setting> settings;  // applied in this order
   std::size_t k = 1;
   double log_interval_s = 0.1;
+  double cost_per_nat = 1;
+  bool marginals = false;
   bool json = false;
   bool quiet = false;
   bool verbose = false;
@@ -155,16 +159,24 @@ void print_ranks(const Solution& solution, bool all) {
   const std::vector<RankedSolution>& ranks = solution.solutions;
   if (ranks.empty()) return;
   print("ranks         %zu, %zu of them proven\n\n", ranks.size(), num_proven(solution));
-  print("%10s %18s %14s %8s %8s\n", "rank", "cost", "above best", "arcs in", "arcs out");
+  print("%10s %18s %14s %8s %8s%s\n",
+        "rank",
+        "cost",
+        "above best",
+        "arcs in",
+        "arcs out",
+        solution.marginals ? "       weight" : "");
   const std::size_t shown = all ? ranks.size() : std::min(ranks.size(), kShownRanks);
   for (const RankedSolution& rank : std::span(ranks).first(shown)) {
-    print("%10d %18.6f %14.6g %8zu %8zu%s\n",
+    print("%10d %18.6f %14.6g %8zu %8zu",
           rank.rank,
           rank.cost,
           rank.cost - ranks.front().cost,
           num_missing(rank, ranks.front()),
-          num_missing(ranks.front(), rank),
-          rank.proven ? "" : "  (not proven)");
+          num_missing(ranks.front(), rank));
+    if (solution.marginals)
+      print(" %12.6g", solution.marginals->weights[static_cast<std::size_t>(rank.rank) - 1]);
+    print("%s\n", rank.proven ? "" : "  (not proven)");
   }
   if (shown < ranks.size()) print("%10s and %zu more\n", "...", ranks.size() - shown);
 }
@@ -190,6 +202,10 @@ void require_good_output(const std::string& output, const std::string& input) {
   require_other_file(output, input);
 }
 
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
 int solve_file(const SolveArguments& arguments) {
   Options options = make_options(arguments);
   require_good_output(arguments.output, arguments.file);
@@ -199,8 +215,7 @@ int solve_file(const SolveArguments& arguments) {
   const bool json = arguments.json || arguments.output == "-";
   const auto begin = std::chrono::steady_clock::now();
   const Problem problem = read_problem(arguments.file);
-  const double read_seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const double read_seconds = seconds_since(begin);
   ProgressLog log(std::cerr, arguments.log_interval_s);
   options.progress = [&](const Progress& progress) {
     if (!arguments.quiet && !json) log(progress);
@@ -209,6 +224,9 @@ int solve_file(const SolveArguments& arguments) {
   std::signal(SIGINT, on_interrupt);
   Solution solution = solve_k_best(problem, arguments.k, options);
   solution.stats.read_seconds = read_seconds;
+  const auto solved = std::chrono::steady_clock::now();
+  if (arguments.marginals) solution.marginals = marginals(solution, {arguments.cost_per_nat});
+  const double marginal_seconds = seconds_since(solved);
   if (!arguments.output.empty() && arguments.output != "-") {
     write_solution(solution, arguments.output);
   }
@@ -223,6 +241,8 @@ int solve_file(const SolveArguments& arguments) {
   } else {
     print_summary(solution);
     if (arguments.k > 1) print_ranks(solution, arguments.verbose);
+    if (solution.marginals)
+      print_marginals(solution, arguments.k, marginal_seconds, arguments.verbose);
     if (arguments.verbose) {
       print_components(solution);
       print_reductions(solution);
@@ -281,12 +301,29 @@ void add_settings(CLI::App& parser, const std::shared_ptr<SolveArguments>& argum
       ->allow_extra_args(false);
 }
 
+void add_ranking(CLI::App& parser, const std::shared_ptr<SolveArguments>& arguments) {
+  CLI::Option* k = parser.add_option("--k", arguments->k, "how many solutions, the best ones");
+  k->check(at_least(1));
+  CLI::Option* marginals = parser.add_flag(
+      "--marginals",
+      arguments->marginals,
+      "how likely each arc, pair and index is over the K best, costs being -log likelihood ratios");
+  marginals->needs(k);
+  parser
+      .add_option(
+          "--cost-per-nat",
+          arguments->cost_per_nat,
+          "the cost that makes a solution e times less likely (1); 2 for -2 log likelihoods")
+      ->check(above(0))
+      ->needs(marginals);
+}
+
 }  // namespace
 
 Action declare_solve(CLI::App& parser) {
   const auto arguments = std::make_shared<SolveArguments>();
   parser.add_option("file", arguments->file, "arc file, '-' for standard input")->required();
-  parser.add_option("--k", arguments->k, "how many solutions, the best ones")->check(at_least(1));
+  add_ranking(parser, arguments);
   add_settings(parser, arguments);
   parser
       .add_option(
@@ -314,7 +351,7 @@ Action declare_solve(CLI::App& parser) {
       "Example:\n"
       "  nda solve window.nda.gz --time-limit 10 --output window.json\n"
       "  nda check window.nda.gz window.json\n"
-      "  nda solve window.nda.gz --k 10");
+      "  nda solve window.nda.gz --k 10 --marginals");
   return [arguments] { return solve_file(*arguments); };
 }
 

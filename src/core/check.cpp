@@ -2,12 +2,13 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <string>
 
 #include "core/certificate_sum.hpp"
+#include "core/check_marginals.hpp"
 #include "core/double_double.hpp"
+#include "core/fault_text.hpp"
 
 // The checker knows the problem and the solution, nothing of how it was found.  Sums are kept in
 // double-double; the certificate is then rounded downwards by a bound on all its rounding errors
@@ -16,20 +17,9 @@
 namespace nda {
 namespace {
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.12g", value);
-  return text;
-}
-
-std::string tuple_text(const std::vector<Index>& tuple) {
-  std::string text = "(";
-  for (const Index i : tuple) {
-    if (text.size() > 1) text += ' ';
-    text += std::to_string(i);
-  }
-  return text + ")";
-}
+using core::index_text;
+using core::number_text;
+using core::tuple_text;
 
 bool close(double a, double b) {
   if (a == b) return true;
@@ -51,7 +41,7 @@ class SolutionWalk {
     add(problem_.costs()[*found]);
     for (std::size_t k = 0; k < tuple.size(); ++k) {
       if (tuple[k] == 0) continue;
-      if (covered_[k][tuple[k]]) fault(place(k, tuple[k]) + " is used twice");
+      if (covered_[k][tuple[k]]) fault(index_text(k, tuple[k]) + " is used twice");
       covered_[k][tuple[k]] = true;
     }
   }
@@ -62,7 +52,7 @@ class SolutionWalk {
       for (std::size_t i = 1; i < covered_[k].size(); ++i) {
         if (covered_[k][i]) continue;
         if (costs[i] == kInfinity)
-          fault(place(k, i) + " is uncovered and its singleton forbidden");
+          fault(index_text(k, i) + " is uncovered and its singleton forbidden");
         else
           add(costs[i]);
       }
@@ -74,9 +64,6 @@ class SolutionWalk {
   double magnitude() const { return magnitude_; }
 
  private:
-  static std::string place(std::size_t k, std::size_t i) {
-    return "index " + std::to_string(i) + " of dimension " + std::to_string(k + 1);
-  }
   void add(double cost) {
     sum_.add(cost);
     magnitude_ += std::abs(cost);
@@ -131,8 +118,8 @@ double check_solutions(const Problem& problem, const Solution& solution, CheckRe
     const bool right = std::abs(walk.cost() - ranked.cost) <= 1e-12 * walk.magnitude() ||
                        close(walk.cost(), ranked.cost);
     if (!right) {
-      report.faults.push_back(rank_text(ranked) + " states cost " + number(ranked.cost) +
-                              ", its arcs cost " + number(walk.cost()));
+      report.faults.push_back(rank_text(ranked) + " states cost " + number_text(ranked.cost) +
+                              ", its arcs cost " + number_text(walk.cost()));
     }
     report.cost_right = report.cost_right && right;
     if (&ranked != &solution.solutions.front()) continue;
@@ -143,8 +130,8 @@ double check_solutions(const Problem& problem, const Solution& solution, CheckRe
   const double stated = solution.solutions.empty() ? kInfinity : solution.solutions.front().cost;
   if (stated != solution.cost) {
     report.cost_right = false;
-    report.faults.push_back("cost " + number(solution.cost) +
-                            " is not that of the first solution, " + number(stated));
+    report.faults.push_back("cost " + number_text(solution.cost) +
+                            " is not that of the first solution, " + number_text(stated));
   }
   return magnitude;
 }
@@ -208,32 +195,32 @@ void check_bound(const Problem& problem,
   report.bound_by_branching =
       !report.bound_right && !(with_proof && solution.proven) && solution.stats.bound_by_branching;
   if (report.bound_right || report.bound_by_branching) return;
-  report.faults.push_back("lower bound " + number(solution.lower_bound) +
+  report.faults.push_back("lower bound " + number_text(solution.lower_bound) +
                           " is stated, the multipliers prove only " +
-                          number(report.certificate_bound) +
-                          (with_proof ? ", the proof " + number(report.proof_bound) : ""));
+                          number_text(report.certificate_bound) +
+                          (with_proof ? ", the proof " + number_text(report.proof_bound) : ""));
 }
 
 // No bound may exceed the verified cost, nor the stated certificate that of the multipliers.
 void check_bounds_fit(const Solution& solution, CheckReport& report) {
   if (above(solution.stats.certificate_bound, report.certificate_bound)) {
-    report.faults.push_back("certificate " + number(solution.stats.certificate_bound) +
+    report.faults.push_back("certificate " + number_text(solution.stats.certificate_bound) +
                             " is stated, the multipliers prove " +
-                            number(report.certificate_bound));
+                            number_text(report.certificate_bound));
   }
   if (!report.feasible) return;
   if (above(solution.lower_bound, report.cost)) {
     report.bound_by_branching = false;
-    report.faults.push_back("lower bound " + number(solution.lower_bound) + " exceeds the cost " +
-                            number(report.cost));
+    report.faults.push_back("lower bound " + number_text(solution.lower_bound) +
+                            " exceeds the cost " + number_text(report.cost));
   }
   if (above(report.proof_bound, report.cost)) {
-    report.faults.push_back("the proof shows " + number(report.proof_bound) +
-                            ", which exceeds the cost " + number(report.cost));
+    report.faults.push_back("the proof shows " + number_text(report.proof_bound) +
+                            ", which exceeds the cost " + number_text(report.cost));
   }
   if (above(report.certificate_bound, report.cost)) {
-    report.faults.push_back("certificate " + number(report.certificate_bound) +
-                            " exceeds the cost " + number(report.cost));
+    report.faults.push_back("certificate " + number_text(report.certificate_bound) +
+                            " exceeds the cost " + number_text(report.cost));
   }
 }
 
@@ -265,7 +252,7 @@ void check_infeasible(const Problem& problem, const Solution& solution, CheckRep
   if (!solution.solutions.empty()) fault("there is a solution");
   if (always_feasible(problem)) fault("no singleton is forbidden: leaving all alone is feasible");
   if (solution.lower_bound != kInfinity) {
-    fault("the lower bound is " + number(solution.lower_bound));
+    fault("the lower bound is " + number_text(solution.lower_bound));
   }
   if (solution.proven) fault("a cost is stated to be proven");
   if (solution.reason.empty()) fault("no reason is given");
@@ -299,7 +286,7 @@ void check_claims(const Problem& problem,
   if (solution.gap() <= gap_tolerance(problem, magnitude)) return;
   report.faults.push_back(std::string(solution.proven ? "the cost is stated to be proven"
                                                       : "status optimal is stated") +
-                          ", yet the lower bound " + number(solution.lower_bound) +
+                          ", yet the lower bound " + number_text(solution.lower_bound) +
                           " does not meet it");
 }
 
@@ -383,6 +370,15 @@ class ReducedCosts {
   std::array<double, kMost> size_;
 };
 
+// Of solutions that are none, nothing can be said.
+void check_marginals(const Solution& solution, CheckReport& report) {
+  if (!solution.marginals) return;
+  if (!solution.solutions.empty() && !report.feasible) return;
+  const std::string fault = core::marginals_fault(solution);
+  report.marginals_right = fault.empty();
+  if (!fault.empty()) report.faults.push_back("marginals: " + fault);
+}
+
 CheckReport check(const Problem& problem, const Solution& solution, const Proof* proof) {
   CheckReport report;
   if (!std::equal(solution.sizes.begin(),
@@ -405,6 +401,7 @@ CheckReport check(const Problem& problem, const Solution& solution, const Proof*
     check_claims(problem, solution, magnitude, report);
   }
   check_bounds_fit(solution, report);
+  check_marginals(solution, report);
   return report;
 }
 

@@ -20,6 +20,9 @@ class JsonNode {
   /// The member of an object; throws when this is no object or lacks it.
   JsonNode operator[](const char* key) const;
 
+  /// Whether it is an object with that member.
+  bool has(const char* key) const { return value_.is_object() && value_.contains(key); }
+
   /// Number of elements of an array; throws when this is none.
   std::size_t size() const;
 

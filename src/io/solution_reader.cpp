@@ -63,20 +63,71 @@ void read_instance(const JsonNode& node, Solution& solution) {
   solution.num_components = count(node["components"]);
 }
 
+std::vector<Index> arc(const JsonNode& node, std::size_t num_dimensions) {
+  if (node.size() != num_dimensions) {
+    node.fail("has " + std::to_string(node.size()) + " indices, expected " +
+              std::to_string(num_dimensions));
+  }
+  return indices(node);
+}
+
 RankedSolution ranked_solution(const JsonNode& node, std::size_t num_dimensions) {
   RankedSolution result;
   result.rank = static_cast<int>(node["rank"].whole(std::numeric_limits<int>::max()));
   result.cost = node["cost"].number();
   result.proven = node["proven"].boolean();
   const JsonNode arcs = node["arcs"];
-  for (std::size_t a = 0; a < arcs.size(); ++a) {
-    const JsonNode arc = arcs[a];
-    if (arc.size() != num_dimensions) {
-      arc.fail("has " + std::to_string(arc.size()) + " indices, expected " +
-               std::to_string(num_dimensions));
-    }
-    result.arcs.push_back(indices(arc));
-  }
+  for (std::size_t a = 0; a < arcs.size(); ++a) result.arcs.push_back(arc(arcs[a], num_dimensions));
+  return result;
+}
+
+// From 0; files count from 1.
+int dimension(const JsonNode& node, std::size_t num_dimensions) {
+  const std::uint64_t number = node.whole(num_dimensions);
+  if (number == 0) node.fail("dimensions count from 1");
+  return static_cast<int>(number) - 1;
+}
+
+PairMarginal pair_marginal(const JsonNode& node, std::size_t num_dimensions) {
+  PairMarginal result;
+  const auto read = [&](const char* key, int& dimension_read, Index& index) {
+    const JsonNode place = node[key];
+    if (place.size() != 2) place.fail("expected a dimension and an index");
+    dimension_read = dimension(place[std::size_t{0}], num_dimensions);
+    index = static_cast<Index>(place[std::size_t{1}].whole(kMaxIndex));
+  };
+  read("first", result.first_dimension, result.first);
+  read("second", result.second_dimension, result.second);
+  result.weight = node["weight"].number();
+  return result;
+}
+
+AmbiguousIndex ambiguous_index(const JsonNode& node, std::size_t num_dimensions) {
+  AmbiguousIndex result;
+  result.dimension = dimension(node["dimension"], num_dimensions);
+  result.index = static_cast<Index>(node["index"].whole(kMaxIndex));
+  result.entropy = node["entropy"].number();
+  const JsonNode arcs = node["arcs"];
+  for (std::size_t a = 0; a < arcs.size(); ++a) result.arcs.push_back(count(arcs[a]));
+  return result;
+}
+
+Marginals marginals_of(const JsonNode& node, std::size_t num_dimensions) {
+  Marginals result;
+  result.cost_per_nat = node["cost_per_nat"].number();
+  result.num_proven = count(node["num_proven"]);
+  result.weights = numbers(node["weights"]);
+  const JsonNode arcs = node["arcs"];
+  for (std::size_t a = 0; a < arcs.size(); ++a)
+    result.arcs.push_back({arc(arcs[a]["arc"], num_dimensions), arcs[a]["weight"].number()});
+  const JsonNode pairs = node["pairs"];
+  for (std::size_t p = 0; p < pairs.size(); ++p)
+    result.pairs.push_back(pair_marginal(pairs[p], num_dimensions));
+  const JsonNode alone = node["alone"];
+  for (std::size_t k = 0; k < alone.size(); ++k) result.alone.push_back(numbers(alone[k]));
+  const JsonNode ambiguous = node["ambiguous"];
+  for (std::size_t i = 0; i < ambiguous.size(); ++i)
+    result.ambiguous.push_back(ambiguous_index(ambiguous[i], num_dimensions));
   return result;
 }
 
@@ -159,6 +210,8 @@ Solution solution(const JsonNode& root) {
     result.components.push_back(component(components[i]));
   }
   result.stats = stats(root["stats"]);
+  if (root.has("marginals"))
+    result.marginals = marginals_of(root["marginals"], result.sizes.size());
   return result;
 }
 

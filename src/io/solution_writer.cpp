@@ -68,43 +68,81 @@ Json array(const std::vector<Item>& items, Convert convert) {
   return result;
 }
 
+Json arc_marginal(const ArcMarginal& marginal) {
+  return {{"arc", marginal.arc}, {"weight", number(marginal.weight)}};
+}
+
+// Dimensions count from 1 in files.
+Json pair_marginal(const PairMarginal& pair) {
+  return {{"first", Json::array({pair.first_dimension + 1, pair.first})},
+          {"second", Json::array({pair.second_dimension + 1, pair.second})},
+          {"weight", number(pair.weight)}};
+}
+
+Json ambiguous_index(const AmbiguousIndex& index) {
+  return {{"dimension", index.dimension + 1},
+          {"index", index.index},
+          {"entropy", number(index.entropy)},
+          {"arcs", index.arcs}};
+}
+
+Json marginals_of(const Marginals& marginals) {
+  return {{"cost_per_nat", number(marginals.cost_per_nat)},
+          {"num_proven", marginals.num_proven},
+          {"weights", numbers(marginals.weights)},
+          {"arcs", array(marginals.arcs, arc_marginal)},
+          {"pairs", array(marginals.pairs, pair_marginal)},
+          {"alone", array(marginals.alone, numbers)},
+          {"ambiguous", array(marginals.ambiguous, ambiguous_index)}};
+}
+
 std::string one_line(const Json& value) {
   return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string text_of(const Json& value) {
-  if (!value.is_array() || value.empty()) return one_line(value);
+std::string list_text(const Json& list, const std::string& indent) {
+  if (list.empty() || !list.front().is_structured()) return one_line(list);
   std::string result = "[";
-  for (const Json& element : value) {
-    result += (result.size() > 1 ? ",\n    " : "\n    ") + one_line(element);
+  for (const Json& element : list) {
+    result += (result.size() > 1 ? ",\n  " : "\n  ") + indent + one_line(element);
   }
-  return result + "\n  ]";
+  return result + "\n" + indent + "]";
+}
+
+// Fields a line each; of the objects among them only the marginals are that large.
+std::string object_text(const Json& object, const std::string& indent) {
+  const std::string inner = indent + "  ";
+  std::string result = "{";
+  for (const auto& field : object.items()) {
+    const Json& value = field.value();
+    result += (result.size() > 1 ? ",\n" : "\n") + inner + "\"" + field.key() + "\": ";
+    result += value.is_array()             ? list_text(value, inner)
+              : field.key() == "marginals" ? object_text(value, inner)
+                                           : one_line(value);
+  }
+  return result + "\n" + indent + "}";
 }
 
 }  // namespace
 
 std::string solution_to_json(const Solution& solution) {
-  const Json document = {{"format", "nda-solution"},
-                         {"version", 1},
-                         {"instance", instance(solution)},
-                         {"status", to_string(solution.status)},
-                         {"proven", solution.proven},
-                         {"reason", solution.reason},
-                         {"cost", number(solution.cost)},
-                         {"lower_bound", number(solution.lower_bound)},
-                         {"gap", number(solution.gap())},
-                         {"relative_gap", number(solution.relative_gap())},
-                         {"solutions", array(solution.solutions, ranked_solution)},
-                         {"multipliers", array(solution.multipliers, numbers)},
-                         {"cuts", Json::array()},
-                         {"components", array(solution.components, component)},
-                         {"stats", stats(solution.stats)}};
-  std::string result = "{";
-  for (const auto& field : document.items()) {
-    result += (result.size() > 1 ? ",\n  \"" : "\n  \"") + field.key() + "\": ";
-    result += text_of(field.value());
-  }
-  return result + "\n}\n";
+  Json document = {{"format", "nda-solution"},
+                   {"version", 1},
+                   {"instance", instance(solution)},
+                   {"status", to_string(solution.status)},
+                   {"proven", solution.proven},
+                   {"reason", solution.reason},
+                   {"cost", number(solution.cost)},
+                   {"lower_bound", number(solution.lower_bound)},
+                   {"gap", number(solution.gap())},
+                   {"relative_gap", number(solution.relative_gap())},
+                   {"solutions", array(solution.solutions, ranked_solution)},
+                   {"multipliers", array(solution.multipliers, numbers)},
+                   {"cuts", Json::array()},
+                   {"components", array(solution.components, component)},
+                   {"stats", stats(solution.stats)}};
+  if (solution.marginals) document["marginals"] = marginals_of(*solution.marginals);
+  return object_text(document, "") + "\n";
 }
 
 }  // namespace nda

@@ -107,6 +107,28 @@ TEST(CheckCommand, FollowsAProof) {
               HasSubstr("nda: cut.proof: line 3: expected a step"));
 }
 
+// Weights 1, 1/e and 1/e^3 of 1.417667: 0.705385 and so on.
+TEST(CheckCommand, FailsMarginalsThatTheSolutionsDoNotHave) {
+  const TemporaryFolder folder;
+  write_file(folder / "a.nda", kProblem);
+  run(folder, "nda solve a.nda -q --k 3 --marginals -o a.json");
+  const Outcome right = run(folder, "nda check a.nda a.json");
+  EXPECT_EQ(right.code, 0) << right.output;
+  EXPECT_THAT(right.output, HasSubstr("marginals right     yes\n"));
+
+  const std::string text = io::contents(folder / "a.json");
+  const std::size_t place = text.find("{\"arc\":[1,1],\"weight\":0.705384");
+  ASSERT_NE(place, std::string::npos) << text;
+  std::string wrong = text;
+  wrong.replace(wrong.find("0.705384", place), 8, "0.705394");
+  write_file(folder / "a.json", wrong);
+  const Outcome outcome = run(folder, "nda check a.nda a.json");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.output, HasSubstr("marginals right     no\n"));
+  EXPECT_THAT(outcome.output,
+              HasSubstr("fault: marginals: weight of arc (1 1) is stated to be 0.705394"));
+}
+
 TEST(CheckCommand, NamesTheFileItCannotRead) {
   const TemporaryFolder folder;
   write_file(folder / "a.nda", kProblem);

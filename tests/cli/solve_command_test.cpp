@@ -48,6 +48,43 @@ TEST(SolveCommand, RanksSolutions) {
   EXPECT_EQ(run(folder, "nda solve a.nda --k 0").code, 2);
 }
 
+// The four of RanksSolutions weigh 1, 1, 1 and 1/e, of 3.367879.
+TEST(SolveCommand, WeighsWhatTheRanksHave) {
+  const TemporaryFolder folder;
+  write_file(folder / "a.nda", kProblem);
+  const Outcome all = run(folder, "nda solve a.nda -q --k 9 --marginals -o a.json");
+  EXPECT_EQ(all.code, 0);
+  EXPECT_THAT(all.output,
+              AllOf(HasSubstr("         4           0.000000              1        0        1"
+                              "     0.109232\n"),
+                    HasSubstr("\nmarginals     exact: there is no solution but these\n"
+                              "ambiguous     3 of 3 indices; 3 of 3 arcs are in doubt\ntook "),
+                    HasSubstr("\n         1         1      1.08705     0.406155  alone\n"),
+                    HasSubstr("\n  0.296923  0 1 1\n")));
+  EXPECT_THAT(contents(folder / "a.json"), HasSubstr("\n  \"marginals\": {\n"));
+  EXPECT_THAT(run(folder, "nda check a.nda a.json").output, HasSubstr("marginals right     yes\n"));
+
+  const Outcome two = run(folder, "nda solve a.nda -q --k 2 --marginals --cost-per-nat 3");
+  EXPECT_THAT(
+      two.output,
+      HasSubstr("\nmarginals     if the truth is one of these ranks; 2 of 2 proven, the last "
+                "weighs 0.5\n"));
+  EXPECT_THAT(run(folder, "nda solve a.nda --k 4 --marginals --json --cost-per-nat 3").output,
+              HasSubstr("    \"cost_per_nat\": 3.0,\n"));
+  const Outcome one = run(folder, "nda solve a.nda -q --k 1 --marginals");
+  EXPECT_THAT(one.output, HasSubstr("ambiguous     0 of 3 indices; 0 of 1 arcs are in doubt\n"));
+  EXPECT_THAT(run(folder, "nda solve a.nda -q --k 9").output, Not(HasSubstr("weight")));
+}
+
+TEST(SolveCommand, HasNoMarginalsOfNoSolution) {
+  const TemporaryFolder folder;
+  write_file(folder / "a.nda", kInfeasible);
+  const Outcome outcome = run(folder, "nda solve a.nda -q --k 3 --marginals -o a.json");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.output, Not(HasSubstr("marginals")));
+  EXPECT_EQ(run(folder, "nda check a.nda a.json").code, 0);
+}
+
 TEST(SolveCommand, EndsItsLogWithTheClosedGap) {
   const TemporaryFolder folder;
   write_file(folder / "a.nda", "p nda 3 2 2 1 3\na 1 1 1 -5\na 1 2 1 -6\na 2 2 0 -4\n");
@@ -159,6 +196,12 @@ TEST(SolveCommand, NamesWhatIsWrongInOneShortLine) {
        "nda: method 'magic' is not known; there are auto, relaxation or exact, and for the dual "
        "bundle, subgradient, volume or coordinate\n"},
       {"a.nda --preset magic", "nda: preset 'magic' is not known"},
+      {"a.nda --marginals", "nda: --marginals requires --k ("},
+      {"a.nda --k 2 --cost-per-nat 2", "nda: --cost-per-nat requires --marginals ("},
+      {"a.nda --k 2 --marginals --cost-per-nat 0",
+       "nda: --cost-per-nat: '0' given, it must be a finite number above 0 ("},
+      {"a.nda --k 2 --marginals --cost-per-nat inf",
+       "nda: --cost-per-nat: 'inf' given, it must be a finite number above 0 ("},
       {"a.nda -o none/a.json", "nda: none/a.json: cannot write: there is no folder none\n"},
       {"a.nda -o .", "nda: .: cannot write: Is a directory\n"},
       {"a.nda -o ''", "nda: --output: '' given, it must name a file ("},

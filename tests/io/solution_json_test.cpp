@@ -214,6 +214,68 @@ TEST(SolutionJson, NamesThePlaceOfASyntaxError) {
   EXPECT_THAT(error(std::string(1000000, '[')), HasSubstr("invalid JSON: parse error"));
 }
 
+Solution with_marginals() {
+  Solution solution = example();
+  solution.marginals = {2.5,
+                        1,
+                        {0.75, 0.25},
+                        {{{1, 1, 2}, 0.75}, {{2, 0, 3}, 1.0 / 3}},
+                        {{0, 1, 2, 2, 0.75}},
+                        {{0.25, 1}, {0.25}, {1, 0.25, 1e-300}},
+                        {{0, 1, 0.5, {1, 0}}, {2, 3, 0, {1}}}};
+  return solution;
+}
+
+TEST(SolutionJson, WritesMarginalsWithDimensionsFromOne) {
+  const std::string text = solution_to_json(with_marginals());
+  EXPECT_EQ(text.substr(text.find(",\n  \"marginals\"")), R"json(,
+  "marginals": {
+    "cost_per_nat": 2.5,
+    "num_proven": 1,
+    "weights": [0.75,0.25],
+    "arcs": [
+      {"arc":[1,1,2],"weight":0.75},
+      {"arc":[2,0,3],"weight":0.3333333333333333}
+    ],
+    "pairs": [
+      {"first":[1,1],"second":[3,2],"weight":0.75}
+    ],
+    "alone": [
+      [0.25,1.0],
+      [0.25],
+      [1.0,0.25,1e-300]
+    ],
+    "ambiguous": [
+      {"dimension":1,"index":1,"entropy":0.5,"arcs":[1,0]},
+      {"dimension":3,"index":3,"entropy":0.0,"arcs":[1]}
+    ]
+  }
+}
+)json");
+  const Solution restored = solution_from_json(text);
+  EXPECT_EQ(solution_to_json(restored), text);
+  EXPECT_EQ(restored.marginals->pairs[0].second_dimension, 2);
+  EXPECT_FALSE(solution_from_json(solution_to_json(example())).marginals);
+}
+
+TEST(SolutionJson, NamesTheFaultyFieldOfMarginals) {
+  const std::string text = solution_to_json(with_marginals());
+  const auto message = [&](const std::string& from, const std::string& to) {
+    return message_of([&] { solution_from_json(replaced(text, from, to)); });
+  };
+  EXPECT_EQ(message("\"first\":[1,1]", "\"first\":[0,1]"),
+            "marginals.pairs[0].first[0]: dimensions count from 1");
+  EXPECT_EQ(message("\"first\":[1,1]", "\"first\":[4,1]"),
+            "marginals.pairs[0].first[0]: expected a whole number up to 3, found '4'");
+  EXPECT_EQ(message("\"first\":[1,1]", "\"first\":[1]"),
+            "marginals.pairs[0].first: expected a dimension and an index");
+  EXPECT_EQ(message("\"dimension\":3", "\"dimension\":0"),
+            "marginals.ambiguous[1].dimension: dimensions count from 1");
+  EXPECT_EQ(message("{\"arc\":[2,0,3]", "{\"arc\":[2,0]"),
+            "marginals.arcs[1].arc: has 2 indices, expected 3");
+  EXPECT_EQ(message("\"cost_per_nat\"", "\"unit\""), "marginals: field 'cost_per_nat' is missing");
+}
+
 TEST(SolutionJson, ReplacesBytesThatAreNoText) {
   Solution solution;
   solution.reason = "\xff";
