@@ -8,13 +8,17 @@
 namespace nda::lap {
 namespace {
 
-constexpr std::size_t kFirstReachRank = 24;
-constexpr double kReachGrowth = 1.5;
-constexpr double kNoise = 1e-12;  // of the largest cost
+constexpr int kTunings = 3;       // more find little to do
+constexpr int kFirstTunings = 8;  // once for the whole tree
+constexpr std::size_t kFirstRank = 24;
+constexpr double kGrowth = 1.5;
+constexpr double kFastGrowth = 3;
+constexpr std::size_t kFewNodes = 16;
+constexpr double kNoise = 1e-11;  // of the largest cost
 
 }  // namespace
 
-// Among equals first what is to be listed, then small subsets.
+// Among equals first what has been solved, then small subsets.
 bool Ranking::is_later(const Entry& a, const Entry& b) {
   if (a.loss != b.loss) return a.loss > b.loss;
   return a.branch != b.branch ? a.branch < b.branch : a.node > b.node;
@@ -35,94 +39,96 @@ Ranking::Entry Ranking::take_first() {
 void Ranking::start(const Assign2dProblem& problem, const Assign2dResult& best) {
   problem_ = problem;
   state_.start(problem, best);
-  nodes_.assign(1, {0, kNone, kNone, kNone, 0, {}, 0, 0});
-  at_ = 0;
-  undivided_ = kNone;
+  reach_ = -1;
+  listed_reach_ = -1;
+  at_reach_.clear();
+  at_listed_.clear();
+  begin_tree();
+}
+
+// The state must be at the best assignment.
+void Ranking::begin_tree() {
+  nodes_.assign(1, {0, kNone, kNone, kNone, 0, {}, {}, 0, 0});
   branches_.clear();
   forbidden_.clear();
-  divided_.clear();
   queue_.assign(1, {0, 0, kNone});
+  at_ = 0;
+  undivided_ = kNone;
   beyond_ = kInfinity;
 }
 
 bool Ranking::next(Assign2dResult& result) {
-  if (undivided_ != kNone) {
-    if (divided_.empty()) measure_rows();
-    divide(undivided_);
-    undivided_ = kNone;
-  }
-  while (!queue_.empty() || extend()) {
-    if (queue_.empty()) continue;
-    const Entry entry = take_first();
-    if (entry.branch == kNone) {
-      list(entry.node, result);
-      return true;
+  while (true) {
+    if (undivided_ != kNone) {
+      if (reach_ < 0) prepare();
+      divide(undivided_);
+      undivided_ = kNone;
     }
-    solve_branch(entry.node, entry.branch);
+    if (queue_.empty() && !extend()) return false;
+    const Entry entry = take_first();
+    if (entry.branch != kNone) {
+      solve_branch(entry.node, entry.branch);
+      continue;
+    }
+    move_to(entry.node);
+    undivided_ = entry.node;
+    if (was_listed()) continue;
+    state_.write(result);
+    if (entry.loss > reach_ - noise_ && reach_ >= 0) at_reach_.push_back(result);
+    return true;
   }
-  return false;
 }
 
-void Ranking::list(std::uint32_t node, Assign2dResult& result) {
-  move_to(node);
+// Whether a former tree listed the assignment of the state.
+bool Ranking::was_listed() {
+  const double loss = nodes_[at_].loss;
+  if (loss < listed_reach_ - noise_) return true;
+  if (loss > listed_reach_ + noise_) return false;
+  Assign2dResult result;
   state_.write(result);
-  if (nodes_[node].branch != kNone) branches_[nodes_[node].branch].is_listed = true;
-  undivided_ = node;
+  return std::any_of(at_listed_.begin(), at_listed_.end(), [&](const Assign2dResult& listed) {
+    return listed.column_of_row == result.column_of_row;
+  });
 }
 
-// A loss by each row of the best assignment, and with it the first reach.
-void Ranking::measure_rows() {
-  const std::uint32_t num_rows = problem_.num_rows();
-  best_u_.resize(num_rows);
-  best_v_.resize(problem_.num_columns());
-  for (std::uint32_t i = 0; i < num_rows; ++i) best_u_[i] = state_.u(i);
-  for (std::uint32_t j = 0; j < best_v_.size(); ++j) best_v_[j] = state_.v(j);
-  search_.resize(num_rows, problem_.num_columns());
-  subproblem_.resize(num_rows, problem_.num_columns());
+// Pairs of the core and the first reach, which is that of the losses of a few rows.
+void Ranking::prepare() {
+  best_u_.assign(state_.u().begin(), state_.u().end());
+  best_v_.assign(state_.v().begin(), state_.v().end());
+  search_.resize(problem_.num_rows(), problem_.num_columns());
+  subproblem_.resize(problem_.num_rows(), problem_.num_columns());
   noise_ = kNoise * std::max({largest_magnitude(problem_.cost),
                               largest_magnitude(problem_.row_outside),
                               largest_magnitude(problem_.column_outside)});
-  std::vector<double> leaving(num_rows, kInfinity), entering(best_v_.size());
-  for (std::uint32_t j = 0; j < entering.size(); ++j) {
-    entering[j] = problem_.column_outside[j] - best_v_[j];
-  }
-  for (std::uint32_t i = 0; i < num_rows; ++i) {
-    const std::uint32_t held = state_.column_of_row(i);
-    if (held != kNone) leaving[i] = problem_.row_outside[i] - best_u_[i];
-    for (std::uint32_t k = problem_.row_start[i]; k < problem_.row_start[i + 1]; ++k) {
-      const std::uint32_t j = problem_.column[k];
-      const double reduced = problem_.cost[k] - best_u_[i] - best_v_[j];
-      if (j == held) continue;
-      leaving[i] = reduced < leaving[i] ? reduced : leaving[i];
-      entering[j] = reduced < entering[j] ? reduced : entering[j];
-    }
-  }
-  row_losses_.clear();
-  for (std::uint32_t i = 0; i < num_rows; ++i) {
-    const std::uint32_t held = state_.column_of_row(i);
-    const double loss = leaving[i] + (held == kNone ? 0 : entering[held]);
-    if (loss < kInfinity) row_losses_.push_back(std::max(0.0, loss));
-  }
-  std::sort(row_losses_.begin(), row_losses_.end());
-  reach_rank_ = std::min(kFirstReachRank, row_losses_.size());
-  set_reach(reach_rank_ == 0 ? 0 : row_losses_[reach_rank_ - 1]);
+  core_.start(problem_, best_u_, best_v_);
+  core_.build_widely(4 * noise_);
+  subproblem_.clear();
+  open_rows(nodes_[0]);
+  for (int n = 0; n < kFirstTunings; ++n) tune(kInfinity);
+  state_.forget_log();
+  const std::size_t rank = std::min(kFirstRank, open_.size());
+  std::nth_element(open_.begin(),
+                   open_.begin() + (rank == 0 ? 0 : rank - 1),
+                   open_.end(),
+                   [](const RowLoss& a, const RowLoss& b) { return a.loss < b.loss; });
+  reach_ = (rank == 0 || open_[rank - 1].loss == kInfinity ? 0 : open_[rank - 1].loss) + 4 * noise_;
+  core_.build(reach_);
 }
 
-void Ranking::set_reach(double reach) {
-  reach_ = reach + noise_;
-  core_.build(problem_, best_u_, best_v_, reach_);
-}
-
-// Looks further; false if there is nothing more.  Duals of the nodes stay right: those of a node
-// moved by no more than its loss, so that pairs out of reach have no negative reduced cost there.
+// Begins another tree that reaches further; false if there is nothing more.
 bool Ranking::extend() {
   const double least = std::min(beyond_, core_.next_reach());
   if (least == kInfinity) return false;
-  reach_rank_ += std::max<std::size_t>(1, reach_rank_ / 2);
-  const bool is_ranked = reach_rank_ <= row_losses_.size();
-  set_reach(std::max(least, is_ranked ? row_losses_[reach_rank_ - 1] : kReachGrowth * reach_));
-  beyond_ = kInfinity;
-  for (const std::uint32_t node : divided_) judge_branches(node, nodes_[node].branches_begin);
+  const double growth = nodes_.size() < kFewNodes ? kFastGrowth : kGrowth;
+  listed_reach_ = reach_;
+  reach_ = std::max(least, growth * reach_) + 4 * noise_;
+  at_listed_.swap(at_reach_);
+  at_reach_.clear();
+  move_to(0);
+  state_.undo(nodes_[0].tuning);
+  state_.forget_log();
+  core_.build(reach_);
+  begin_tree();
   return true;
 }
 
@@ -130,6 +136,7 @@ void Ranking::move_to(std::uint32_t node) {
   way_.clear();
   for (std::uint32_t goal = node; at_ != goal;) {
     if (at_ > goal) {
+      state_.undo(nodes_[at_].tuning);
       state_.undo(nodes_[at_].changes);
       at_ = nodes_[at_].parent;
     } else {
@@ -137,54 +144,69 @@ void Ranking::move_to(std::uint32_t node) {
       goal = nodes_[goal].parent;
     }
   }
-  for (; !way_.empty(); way_.pop_back()) state_.redo(nodes_[way_.back()].changes);
+  for (; !way_.empty(); way_.pop_back()) {
+    state_.redo(nodes_[way_.back()].changes);
+    state_.redo(nodes_[way_.back()].tuning);
+  }
   at_ = node;
 }
 
-void Ranking::append_open_rows(const Node& node) {
-  if (node.branch == kNone) {
-    for (std::uint32_t i = 0; i < problem_.num_rows(); ++i) branches_.push_back({i, false});
-    return;
+// Lists the rows that may choose again in a node; the first is that which did for it.
+void Ranking::open_rows(const Node& node) {
+  open_.clear();
+  if (node.row == kNone) {
+    for (std::uint32_t i = 0; i < problem_.num_rows(); ++i) open_.push_back({0, i});
+  } else {
+    const std::uint32_t end = nodes_[node.parent].branches_end;
+    for (std::uint32_t n = node.branch; n < end; ++n) open_.push_back({0, branches_[n]});
   }
-  const std::uint32_t end = nodes_[node.parent].branches_end;
-  for (std::uint32_t n = node.branch; n < end; ++n) branches_.push_back({branches_[n].row, false});
+  for (const RowLoss& open : open_) subproblem_.open(open.row);
 }
 
-// Puts rows that have nothing else to choose within reach first, then the others by descending
-// loss, so that promising branches are small.  Returns where those begin.
-std::uint32_t Ranking::sort_branches(const Node& node, std::uint32_t begin) {
-  const std::uint32_t end = static_cast<std::uint32_t>(branches_.size());
-  subproblem_.clear();
-  for (std::uint32_t n = begin; n < end; ++n) subproblem_.open(branches_[n].row);
-  subproblem_.open(state_.nobody());
-  near_.clear();
-  std::uint32_t near_begin = begin;
-  for (std::uint32_t n = begin; n < end; ++n) {
-    const std::uint32_t row = branches_[n].row;
-    const double loss = node.loss + least_loss(state_, core_, subproblem_, row);
-    if (loss <= reach_) {
-      near_.push_back({loss, row, kNone});
-    } else {
-      beyond_ = std::min(beyond_, loss);
-      branches_[near_begin++].row = row;
+// One round over the open rows: those that lose more than `spare` by any other choice are closed,
+// the duals of the others are moved so that leaving and entering cost the same.
+void Ranking::tune(double spare) {
+  std::size_t num_kept = 0;
+  for (const RowLoss& open : open_) {
+    const LeastLoss loss = least_loss(state_, core_, subproblem_, open.row);
+    if (loss.sum() > spare) {
+      beyond_ = std::min(beyond_, reach_ - spare + loss.sum());
+      subproblem_.close(open.row);
+      continue;
     }
+    open_[num_kept++] = {loss.sum(), open.row};
+    const std::uint32_t j = state_.column_of_row(open.row);
+    const double shift = (loss.leaving - loss.entering) / 2;
+    if (j == kNone || !(std::abs(shift) < kInfinity) || shift == 0) continue;
+    state_.set_price(j, state_.v(j) - shift);
+    state_.refresh_row(open.row);
   }
-  std::sort(near_.begin(), near_.end(), [](const Entry& a, const Entry& b) {
-    return a.loss != b.loss ? a.loss > b.loss : a.node < b.node;
+  open_.resize(num_kept);
+}
+
+// That of the row which chose again first, so that no other branch has anything forbidden; then by
+// descending loss, so that promising branches are small.
+void Ranking::append_branches(const Node& node) {
+  const bool has_first = !open_.empty() && open_.front().row == node.row;
+  std::sort(open_.begin() + has_first, open_.end(), [](const RowLoss& a, const RowLoss& b) {
+    return a.loss != b.loss ? a.loss > b.loss : a.row < b.row;
   });
-  for (std::uint32_t n = 0; n < near_.size(); ++n) branches_[near_begin + n].row = near_[n].node;
-  return near_begin;
+  for (const RowLoss& open : open_) branches_.push_back(open.row);
 }
 
 void Ranking::divide(std::uint32_t node) {
   move_to(node);
   Node& divided = nodes_[node];
+  subproblem_.clear();
+  forbid(divided.row, divided.forbidden);
+  open_rows(divided);
+  divided.tuning = state_.open_range();
+  for (int n = 0; n < kTunings; ++n) tune(reach_ - divided.loss);
+  state_.close_range(divided.tuning);
   divided.branches_begin = static_cast<std::uint32_t>(branches_.size());
-  append_open_rows(divided);
+  append_branches(divided);
   divided.branches_end = static_cast<std::uint32_t>(branches_.size());
-  divided_.push_back(node);
-  const bool has_first = divided.row != kNone;
-  judge_branches(node, sort_branches(divided, divided.branches_begin + (has_first ? 1 : 0)));
+  judge_branches(node);
 }
 
 void Ranking::forbid(std::uint32_t row, std::uint32_t first) {
@@ -193,40 +215,31 @@ void Ranking::forbid(std::uint32_t row, std::uint32_t first) {
   }
 }
 
-// The rows of this branch and the ones after it must be open.
-void Ranking::judge_branch(std::uint32_t node, std::uint32_t branch) {
-  const double loss =
-      nodes_[node].loss + least_loss(state_, core_, subproblem_, branches_[branch].row);
-  if (loss <= reach_) {
-    wait({loss, node, branch});
-  } else {
-    beyond_ = std::min(beyond_, loss);
-  }
-}
-
-// Branches from `begin` on, and the first of the node in any case.
-void Ranking::judge_branches(std::uint32_t node, std::uint32_t begin) {
-  move_to(node);
+// The last branch has only its own row open, the first has all.
+void Ranking::judge_branches(std::uint32_t node) {
   const Node& divided = nodes_[node];
   subproblem_.clear();
-  subproblem_.open(state_.nobody());
-  if (divided.row != kNone) forbid(divided.row, divided.forbidden);
+  forbid(divided.row, divided.forbidden);
   for (std::uint32_t n = divided.branches_end; n > divided.branches_begin;) {
-    subproblem_.open(branches_[--n].row);
-    const bool is_first = divided.row != kNone && n == divided.branches_begin;
-    if ((n >= begin || is_first) && !branches_[n].is_listed) judge_branch(node, n);
+    const std::uint32_t row = branches_[--n];
+    subproblem_.open(row);
+    const double loss = divided.loss + least_loss(state_, core_, subproblem_, row).sum();
+    if (loss <= reach_) {
+      wait({loss, node, n});
+    } else {
+      beyond_ = std::min(beyond_, loss);
+    }
   }
 }
 
 void Ranking::solve_branch(std::uint32_t node, std::uint32_t branch) {
   move_to(node);
   const Node parent = nodes_[node];
-  const std::uint32_t row = branches_[branch].row;
+  const std::uint32_t row = branches_[branch];
   const std::uint32_t held = state_.column_of_row(row);
   const std::uint32_t before = row == parent.row ? parent.forbidden : kNone;
   subproblem_.clear();
-  subproblem_.open(state_.nobody());
-  for (std::uint32_t n = branch; n < parent.branches_end; ++n) subproblem_.open(branches_[n].row);
+  for (std::uint32_t n = branch; n < parent.branches_end; ++n) subproblem_.open(branches_[n]);
   subproblem_.forbid(row, held);
   forbid(row, before);
   const RankingSearch::Outcome outcome =
@@ -236,10 +249,10 @@ void Ranking::solve_branch(std::uint32_t node, std::uint32_t branch) {
     beyond_ = std::min(beyond_, loss);
     return;
   }
+  const std::uint32_t first = static_cast<std::uint32_t>(forbidden_.size());
   forbidden_.push_back({held, before});
   at_ = static_cast<std::uint32_t>(nodes_.size());
-  const std::uint32_t first = static_cast<std::uint32_t>(forbidden_.size() - 1);
-  nodes_.push_back({node, branch, row, first, loss, outcome.changes, 0, 0});
+  nodes_.push_back({node, branch, row, first, loss, outcome.changes, {}, 0, 0});
   wait({loss, at_, kNone});
 }
 

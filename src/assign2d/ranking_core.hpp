@@ -16,14 +16,21 @@ struct PairLines {
 };
 
 /// The pairs that matter to assignments costing at most `reach` more than the best one: those whose
-/// reduced cost under the duals of the best is at most that.
+/// reduced cost under duals of the best is at most that.
+///
+/// A pool of the cheapest pairs is kept, so that the problem is looked through once for many cores.
 class RankingCore {
  public:
-  /// @param u, v  duals that prove the best assignment.  O(pairs).
-  void build(const Assign2dProblem& problem,
-             std::span<const double> u,
-             std::span<const double> v,
-             double reach);
+  /// Nothing is in the pool.
+  /// @param u, v  duals that prove the best assignment.
+  /// @param problem  must outlive the core, which looks at it again; so must u and v.
+  void start(const Assign2dProblem& problem, std::span<const double> u, std::span<const double> v);
+
+  /// Makes the core of at least that reach: all of a pool of a few pairs a row, if that is enough.
+  /// O(pairs of the problem).  @return its reach.
+  double build_widely(double reach);
+  /// Makes the core.  O(pairs of the pool); of the problem, if the pool is too small.
+  void build(double reach);
 
   const PairLines& by_row() const { return by_row_; }
   const PairLines& by_column() const { return by_column_; }
@@ -31,12 +38,18 @@ class RankingCore {
   double next_reach() const { return next_reach_; }
 
  private:
-  void select(const Assign2dProblem& problem,
-              std::span<const double> u,
-              std::span<const double> v,
-              double reach);
-  void transpose(std::uint32_t num_columns);
+  void fill_pool(double reach);
+  double reach_of_few() const;
+  void select(double reach);
+  void transpose();
 
+  Assign2dProblem problem_;
+  std::span<const double> u_;
+  std::span<const double> v_;
+  PairLines pool_;
+  std::vector<double> pool_reduced_;  // cost of each of its pairs
+  double pool_reach_ = -1;
+  double pool_next_ = kInfinity;  // least reduced cost of what is not in it
   PairLines by_row_;
   PairLines by_column_;
   double next_reach_ = kInfinity;

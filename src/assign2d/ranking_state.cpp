@@ -1,5 +1,6 @@
 #include "assign2d/ranking_state.hpp"
 
+#include <algorithm>
 #include <utility>
 
 // Thousands of assignments that differ by a short path from one another are kept as a tree of
@@ -20,13 +21,18 @@ void RankingState::start(const Assign2dProblem& problem, const Assign2dResult& b
   for (std::uint32_t i = 0; i < num_rows(); ++i) {
     if (best.column_of_row[i] == kUnassigned) continue;
     const std::uint32_t j = static_cast<std::uint32_t>(best.column_of_row[i]);
-    std::uint32_t k = problem.row_start[i];
-    while (problem.column[k] != j) ++k;
+    const auto row_begin = problem.column.begin() + problem.row_start[i];
+    const auto row_end = problem.column.begin() + problem.row_start[i + 1];
+    const auto k = std::lower_bound(row_begin, row_end, j) - problem.column.begin();
     column_of_row_[i] = j;
     row_of_column_[j] = i;
     row_cost_[i] = problem.cost[k];
     refresh_row(i);
   }
+  forget_log();
+}
+
+void RankingState::forget_log() {
   row_changes_.clear();
   price_changes_.clear();
 }
@@ -41,10 +47,6 @@ void RankingState::choose(std::uint32_t i, std::uint32_t j, double cost) {
 void RankingState::set_price(std::uint32_t j, double price) {
   price_changes_.push_back({j, v_[j]});
   v_[j] = price;
-}
-
-void RankingState::refresh_row(std::uint32_t i) {
-  u_[i] = column_of_row_[i] == kNone ? row_outside_[i] : row_cost_[i] - v_[column_of_row_[i]];
 }
 
 void RankingState::refresh(const ChangeRange& range) {

@@ -37,6 +37,8 @@ class RankingState {
   double v(std::uint32_t j) const { return v_[j]; }
   double row_outside(std::uint32_t i) const { return row_outside_[i]; }
   double column_outside(std::uint32_t j) const { return column_outside_[j]; }
+  std::span<const double> u() const { return u_; }
+  std::span<const double> v() const { return v_; }
   std::uint32_t num_rows() const { return static_cast<std::uint32_t>(u_.size()); }
   std::uint32_t num_columns() const { return static_cast<std::uint32_t>(v_.size()); }
 
@@ -48,6 +50,11 @@ class RankingState {
   /// Takes back release() where no row changed its mind.
   void hold(std::uint32_t j, std::uint32_t i) { row_of_column_[j] = i; }
   void set_price(std::uint32_t j, double price);
+  void forget_log();
+  /// Brings the dual of row i up to date.
+  void refresh_row(std::uint32_t i) {
+    u_[i] = column_of_row_[i] == kNone ? row_outside_[i] : row_cost_[i] - v_[column_of_row_[i]];
+  }
   /// Brings u up to date with the changes of a range.
   void refresh(const ChangeRange& range);
 
@@ -78,8 +85,6 @@ class RankingState {
   void swap_row(RowChange& change);
   void swap_price(PriceChange& change);
   void hold_rows(const ChangeRange& range);
-  void refresh_row(std::uint32_t i);
-
   std::span<const double> row_outside_;
   std::span<const double> column_outside_;
   std::vector<std::uint32_t> column_of_row_;

@@ -10,14 +10,13 @@ double least_leaving(const RankingState& state,
                      const RankingSubproblem& subproblem,
                      std::uint32_t row) {
   const PairLines& pairs = core.by_row();
-  const bool forbids = subproblem.forbids(row);
   const std::uint32_t held = state.column_of_row(row);
   double least = kInfinity;
   for (std::uint32_t k = pairs.start[row]; k < pairs.start[row + 1]; ++k) {
     const std::uint32_t j = pairs.partner[k];
     const double offer = pairs.cost[k] - state.v(j);
     if (!(offer < least) || j == held || !subproblem.is_open(state.row_of_column(j))) continue;
-    if (!forbids || subproblem.allows(row, j)) least = offer;
+    if (subproblem.allows(row, j)) least = offer;
   }
   if (held != kNone && subproblem.allows(row, kNone)) {
     least = std::min(least, state.row_outside(row));
@@ -43,16 +42,15 @@ double least_entering(const RankingState& state,
 }  // namespace
 
 // The pair by which the row leaves and the one by which somebody enters its column are not the
-// same, so both reduced costs are lost.  An unassigned row leaves no column: what it takes away
-// from may go outside free of charge.
-double least_loss(const RankingState& state,
-                  const RankingCore& core,
-                  const RankingSubproblem& subproblem,
-                  std::uint32_t row) {
-  const double leaving = least_leaving(state, core, subproblem, row);
+// same, so both reduced costs are lost.  An unassigned row leaves no column: whoever makes way for
+// it may go outside free of charge.
+LeastLoss least_loss(const RankingState& state,
+                     const RankingCore& core,
+                     const RankingSubproblem& subproblem,
+                     std::uint32_t row) {
   const std::uint32_t held = state.column_of_row(row);
-  if (held == kNone || leaving == kInfinity) return leaving;
-  return leaving + least_entering(state, core, subproblem, held);
+  return {least_leaving(state, core, subproblem, row),
+          held == kNone ? 0 : least_entering(state, core, subproblem, held)};
 }
 
 }  // namespace nda::lap

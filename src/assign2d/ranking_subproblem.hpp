@@ -13,18 +13,20 @@ namespace nda::lap {
 /// row must not repeat its former choices.
 class RankingSubproblem {
  public:
-  /// Before anything else: no row is open, nothing forbidden.
+  /// Before anything else.
   void resize(std::uint32_t num_rows, std::uint32_t num_columns) {
     open_.assign(num_rows + 1, 0);
     forbidden_.assign(num_columns + 1, 0);
     now_ = 0;
+    clear();
   }
-  /// The same, in constant time.
+  /// No row is open, nothing forbidden.  Constant time.
   void clear() {
     open_.back() = ++now_;
     forbidding_row_ = kNone;
   }
   void open(std::uint32_t row) { open_[row] = now_; }
+  void close(std::uint32_t row) { open_[row] = 0; }
   /// All that is forbidden must be forbidden to the same row.
   void forbid(std::uint32_t row, std::uint32_t choice) {
     forbidding_row_ = row;
@@ -33,7 +35,6 @@ class RankingSubproblem {
 
   /// Also true of RankingState::nobody(): a column that has no row is there to be taken.
   bool is_open(std::uint32_t row) const { return open_[row] == now_; }
-  bool forbids(std::uint32_t row) const { return row == forbidding_row_; }
   /// choice: a column, or kNone for the outside option.
   bool allows(std::uint32_t row, std::uint32_t choice) const {
     return row != forbidding_row_ || forbidden_[place(choice)] != now_;
@@ -50,12 +51,18 @@ class RankingSubproblem {
   std::uint32_t forbidding_row_ = kNone;
 };
 
-/// At least so much is lost where `row`, which must be open, chooses anything but what it has: the
-/// least reduced cost of its other choices, and that of the others who could take the column it
-/// leaves.  +inf if there are none.  O(pairs of both in the core).
-double least_loss(const RankingState& state,
-                  const RankingCore& core,
-                  const RankingSubproblem& subproblem,
-                  std::uint32_t row);
+/// What is lost at least where a row chooses anything but what it has; +inf if it cannot.
+struct LeastLoss {
+  double leaving;   ///< by the row: the least reduced cost of its other choices
+  double entering;  ///< by whoever takes the column that it leaves, if it has one
+
+  double sum() const { return leaving + entering; }
+};
+
+/// @param row  must be open.  O(pairs of it and of its column in the core).
+LeastLoss least_loss(const RankingState& state,
+                     const RankingCore& core,
+                     const RankingSubproblem& subproblem,
+                     std::uint32_t row);
 
 }  // namespace nda::lap
