@@ -8,9 +8,9 @@
 namespace nda::lap {
 namespace {
 
-constexpr int kTunings = 3;       // more find little to do
-constexpr int kFirstTunings = 8;  // once for the whole tree
-constexpr std::size_t kFirstRank = 24;
+constexpr int kTunings = 3;        // more find little to do
+constexpr int kFirstTunings = 8;   // once for the whole tree
+constexpr double kFirstReach = 4;  // times the loss of the second best
 constexpr double kGrowth = 1.5;
 constexpr double kFastGrowth = 3;
 constexpr std::size_t kFewNodes = 16;
@@ -104,15 +104,29 @@ void Ranking::prepare() {
   core_.build_widely(4 * noise_);
   subproblem_.clear();
   open_rows(nodes_[0]);
-  for (int n = 0; n < kFirstTunings; ++n) tune(kInfinity);
-  state_.forget_log();
-  const std::size_t rank = std::min(kFirstRank, open_.size());
-  std::nth_element(open_.begin(),
-                   open_.begin() + (rank == 0 ? 0 : rank - 1),
-                   open_.end(),
-                   [](const RowLoss& a, const RowLoss& b) { return a.loss < b.loss; });
-  reach_ = (rank == 0 || open_[rank - 1].loss == kInfinity ? 0 : open_[rank - 1].loss) + 4 * noise_;
+  for (int n = 0; n < kFirstTunings; ++n) tune(kInfinity, false);
+  std::sort(open_.begin(), open_.end(), [](const RowLoss& a, const RowLoss& b) {
+    return a.loss != b.loss ? a.loss < b.loss : a.row < b.row;
+  });
+  reach_ = kFirstReach * second_loss() + 4 * noise_;
   core_.build(reach_);
+}
+
+// The loss of the second best assignment: the least of what the rows lose by choosing again.  0 if
+// there is none.
+double Ranking::second_loss() {
+  double least = kInfinity;
+  for (const RowLoss& open : open_) {
+    if (!(open.loss < least)) break;
+    subproblem_.allow();
+    subproblem_.forbid(open.row, state_.column_of_row(open.row));
+    const RankingSearch::Outcome outcome =
+        search_.choose_again(state_, core_, subproblem_, open.row, least);
+    if (!outcome.found) continue;
+    least = outcome.loss;
+    state_.drop(outcome.changes);
+  }
+  return least < kInfinity ? least : 0;
 }
 
 // Begins another tree that reaches further; false if there is nothing more.
@@ -165,7 +179,7 @@ void Ranking::open_rows(const Node& node) {
 
 // One round over the open rows: those that lose more than `spare` by any other choice are closed,
 // the duals of the others are moved so that leaving and entering cost the same.
-void Ranking::tune(double spare) {
+void Ranking::tune(double spare, bool is_logged) {
   std::size_t num_kept = 0;
   for (const RowLoss& open : open_) {
     const LeastLoss loss = least_loss(state_, core_, subproblem_, open.row);
@@ -175,11 +189,9 @@ void Ranking::tune(double spare) {
       continue;
     }
     open_[num_kept++] = {loss.sum(), open.row};
-    const std::uint32_t j = state_.column_of_row(open.row);
     const double shift = (loss.leaving - loss.entering) / 2;
-    if (j == kNone || !(std::abs(shift) < kInfinity) || shift == 0) continue;
-    state_.set_price(j, state_.v(j) - shift);
-    state_.refresh_row(open.row);
+    if (is_logged) state_.log_price(open.row);
+    if (std::abs(shift) < kInfinity) state_.shift_dual(open.row, shift);
   }
   open_.resize(num_kept);
 }
@@ -201,7 +213,7 @@ void Ranking::divide(std::uint32_t node) {
   forbid(divided.row, divided.forbidden);
   open_rows(divided);
   divided.tuning = state_.open_range();
-  for (int n = 0; n < kTunings; ++n) tune(reach_ - divided.loss);
+  for (int n = 0; n < kTunings; ++n) tune(reach_ - divided.loss, n == 0);
   state_.close_range(divided.tuning);
   divided.branches_begin = static_cast<std::uint32_t>(branches_.size());
   append_branches(divided);

@@ -60,12 +60,13 @@ class Ranking {
 
   void begin_tree();
   void prepare();
+  double second_loss();
   bool extend();
   bool was_listed();
   void move_to(std::uint32_t node);
   void divide(std::uint32_t node);
   void open_rows(const Node& node);
-  void tune(double spare);
+  void tune(double spare, bool is_logged);
   void append_branches(const Node& node);
   void judge_branches(std::uint32_t node);
   void solve_branch(std::uint32_t node, std::uint32_t branch);

@@ -49,8 +49,12 @@ void RankingState::set_price(std::uint32_t j, double price) {
   v_[j] = price;
 }
 
-void RankingState::refresh(const ChangeRange& range) {
+void RankingState::refresh_rows(const ChangeRange& range) {
   for (std::uint32_t n = range.row_begin; n < range.row_end; ++n) refresh_row(row_changes_[n].row);
+}
+
+void RankingState::refresh(const ChangeRange& range) {
+  refresh_rows(range);
   for (std::uint32_t n = range.price_begin; n < range.price_end; ++n) {
     const std::uint32_t i = row_of_column_[price_changes_[n].column];
     if (i != nobody()) refresh_row(i);
@@ -87,26 +91,29 @@ void RankingState::swap_row(RowChange& change) {
   std::swap(change.cost, row_cost_[change.row]);
 }
 
+// And the dual of who has the column.
 void RankingState::swap_price(PriceChange& change) {
   std::swap(change.price, v_[change.column]);
+  const std::uint32_t i = row_of_column_[change.column];
+  if (i != nobody()) u_[i] = row_cost_[i] - v_[change.column];
 }
 
 void RankingState::undo(const ChangeRange& range) {
   release_rows(range);
   for (std::uint32_t n = range.row_end; n > range.row_begin; --n) swap_row(row_changes_[n - 1]);
+  hold_rows(range);
   for (std::uint32_t n = range.price_end; n > range.price_begin; --n) {
     swap_price(price_changes_[n - 1]);
   }
-  hold_rows(range);
-  refresh(range);
+  refresh_rows(range);
 }
 
 void RankingState::redo(const ChangeRange& range) {
   release_rows(range);
   for (std::uint32_t n = range.row_begin; n < range.row_end; ++n) swap_row(row_changes_[n]);
-  for (std::uint32_t n = range.price_begin; n < range.price_end; ++n) swap_price(price_changes_[n]);
   hold_rows(range);
-  refresh(range);
+  for (std::uint32_t n = range.price_begin; n < range.price_end; ++n) swap_price(price_changes_[n]);
+  refresh_rows(range);
 }
 
 void RankingState::drop(const ChangeRange& range) {

@@ -51,9 +51,17 @@ class RankingState {
   void hold(std::uint32_t j, std::uint32_t i) { row_of_column_[j] = i; }
   void set_price(std::uint32_t j, double price);
   void forget_log();
-  /// Brings the dual of row i up to date.
-  void refresh_row(std::uint32_t i) {
-    u_[i] = column_of_row_[i] == kNone ? row_outside_[i] : row_cost_[i] - v_[column_of_row_[i]];
+  /// The price of the column that row i has, if any, as it is before shift_dual().
+  void log_price(std::uint32_t i) {
+    const std::uint32_t j = column_of_row_[i];
+    if (j != kNone) price_changes_.push_back({j, v_[j]});
+  }
+  /// The dual of row i rises, the price of its column falls.  Not logged; of an unassigned row
+  /// nothing moves.
+  void shift_dual(std::uint32_t i, double rise) {
+    if (column_of_row_[i] == kNone) return;
+    v_[column_of_row_[i]] -= rise;
+    refresh_row(i);
   }
   /// Brings u up to date with the changes of a range.
   void refresh(const ChangeRange& range);
@@ -84,7 +92,11 @@ class RankingState {
   void release_rows(const ChangeRange& range);
   void swap_row(RowChange& change);
   void swap_price(PriceChange& change);
+  void refresh_row(std::uint32_t i) {
+    u_[i] = column_of_row_[i] == kNone ? row_outside_[i] : row_cost_[i] - v_[column_of_row_[i]];
+  }
   void hold_rows(const ChangeRange& range);
+  void refresh_rows(const ChangeRange& range);
   std::span<const double> row_outside_;
   std::span<const double> column_outside_;
   std::vector<std::uint32_t> column_of_row_;

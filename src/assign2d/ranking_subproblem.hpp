@@ -18,26 +18,32 @@ class RankingSubproblem {
     open_.assign(num_rows + 1, 0);
     forbidden_.assign(num_columns + 1, 0);
     now_ = 0;
+    forbidding_now_ = 0;
     clear();
   }
   /// No row is open, nothing forbidden.  Constant time.
   void clear() {
     open_.back() = ++now_;
-    forbidding_row_ = kNone;
+    allow();
   }
   void open(std::uint32_t row) { open_[row] = now_; }
   void close(std::uint32_t row) { open_[row] = 0; }
   /// All that is forbidden must be forbidden to the same row.
   void forbid(std::uint32_t row, std::uint32_t choice) {
     forbidding_row_ = row;
-    forbidden_[place(choice)] = now_;
+    forbidden_[place(choice)] = forbidding_now_;
+  }
+  /// Nothing is forbidden.
+  void allow() {
+    ++forbidding_now_;
+    forbidding_row_ = kNone;
   }
 
   /// Also true of RankingState::nobody(): a column that has no row is there to be taken.
   bool is_open(std::uint32_t row) const { return open_[row] == now_; }
   /// choice: a column, or kNone for the outside option.
   bool allows(std::uint32_t row, std::uint32_t choice) const {
-    return row != forbidding_row_ || forbidden_[place(choice)] != now_;
+    return row != forbidding_row_ || forbidden_[place(choice)] != forbidding_now_;
   }
 
  private:
@@ -48,6 +54,7 @@ class RankingSubproblem {
   std::vector<std::uint64_t> open_;       // of each row: when it was opened; then of nobody
   std::vector<std::uint64_t> forbidden_;  // of each column, then of the outside option
   std::uint64_t now_ = 0;
+  std::uint64_t forbidding_now_ = 0;
   std::uint32_t forbidding_row_ = kNone;
 };
 
