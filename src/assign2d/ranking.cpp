@@ -1,22 +1,26 @@
 #include "assign2d/ranking.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "assign2d/start.hpp"
 
 namespace nda::lap {
 namespace {
 
-constexpr std::size_t kFirstReachRank = 24;
-constexpr double kReachGrowth = 1.5;
-constexpr double kNoise = 1e-12;  // of the largest cost
+constexpr int kRounds = 4;         // of tuning; more find little to do
+constexpr int kFirstRounds = 10;   // once for each tree
+constexpr double kFirstReach = 4;  // times the loss of the second best
+constexpr double kGrowth = 1.5;    // of the reach
+constexpr double kFastGrowth = 3;  // where hardly anything was in reach
+constexpr std::size_t kFewNodes = 16;
+constexpr double kNoise = 1e-11;  // of the largest cost
 
 }  // namespace
 
-// Among equals first what is to be listed, then small subsets.
+// Among equals first what is solved, then small subsets.
 bool Ranking::is_later(const Entry& a, const Entry& b) {
   if (a.loss != b.loss) return a.loss > b.loss;
+  if (a.is_solved != b.is_solved) return b.is_solved;
   return a.branch != b.branch ? a.branch < b.branch : a.node > b.node;
 }
 
@@ -34,213 +38,194 @@ Ranking::Entry Ranking::take_first() {
 
 void Ranking::start(const Assign2dProblem& problem, const Assign2dResult& best) {
   problem_ = problem;
-  state_.start(problem, best);
-  nodes_.assign(1, {0, kNone, kNone, kNone, 0, {}, 0, 0});
-  at_ = 0;
-  undivided_ = kNone;
-  branches_.clear();
-  forbidden_.clear();
-  divided_.clear();
-  queue_.assign(1, {0, 0, kNone});
-  beyond_ = kInfinity;
+  pool_.start(problem, best);
+  assignment_.start(problem, pool_.best());
+  is_fresh_ = true;
+  reach_ = -1;
+  queue_.clear();
 }
 
 bool Ranking::next(Assign2dResult& result) {
-  if (undivided_ != kNone) {
-    if (divided_.empty()) measure_rows();
-    divide(undivided_);
-    undivided_ = kNone;
+  if (is_fresh_) {
+    is_fresh_ = false;
+    assignment_.write(result);
+    return true;
   }
-  while (!queue_.empty() || extend()) {
-    if (queue_.empty()) continue;
-    const Entry entry = take_first();
-    if (entry.branch == kNone) {
-      list(entry.node, result);
-      return true;
+  if (reach_ < 0) prepare();
+  while (true) {
+    while (queue_.empty()) {
+      if (!extend()) return false;
     }
-    solve_branch(entry.node, entry.branch);
+    const Entry entry = take_first();
+    if (!entry.is_solved) {
+      solve(entry);
+      continue;
+    }
+    const std::uint32_t node = add_node(entry);
+    if (was_listed(node)) continue;
+    move_to(node);
+    assignment_.write(result);
+    if (entry.loss > reach_ - noise_) at_reach_.push_back(result);
+    return true;
   }
-  return false;
 }
 
-void Ranking::list(std::uint32_t node, Assign2dResult& result) {
+// Whether a former tree listed it.
+bool Ranking::was_listed(std::uint32_t node) {
+  const double loss = nodes_[node].loss;
+  if (loss < listed_reach_ - noise_) return true;
+  if (loss > listed_reach_ + noise_) return false;
   move_to(node);
-  state_.write(result);
-  if (nodes_[node].branch != kNone) branches_[nodes_[node].branch].is_listed = true;
-  undivided_ = node;
+  return std::any_of(at_listed_.begin(), at_listed_.end(), [&](const Assign2dResult& listed) {
+    return assignment_.is_in(listed);
+  });
 }
 
-// A loss by each row of the best assignment, and with it the first reach.
-void Ranking::measure_rows() {
+void Ranking::prepare() {
   const std::uint32_t num_rows = problem_.num_rows();
-  best_u_.resize(num_rows);
-  best_v_.resize(problem_.num_columns());
-  for (std::uint32_t i = 0; i < num_rows; ++i) best_u_[i] = state_.u(i);
-  for (std::uint32_t j = 0; j < best_v_.size(); ++j) best_v_[j] = state_.v(j);
-  search_.resize(num_rows, problem_.num_columns());
-  subproblem_.resize(num_rows, problem_.num_columns());
+  search_.resize(num_rows);
+  draft_.resize(num_rows);
   noise_ = kNoise * std::max({largest_magnitude(problem_.cost),
                               largest_magnitude(problem_.row_outside),
                               largest_magnitude(problem_.column_outside)});
-  std::vector<double> leaving(num_rows, kInfinity), entering(best_v_.size());
-  for (std::uint32_t j = 0; j < entering.size(); ++j) {
-    entering[j] = problem_.column_outside[j] - best_v_[j];
+  at_reach_.clear();
+  at_listed_.clear();
+  at_ = 0;
+  listed_reach_ = -1;
+  reach_ = kFirstReach * second_loss() + 4 * noise_;
+  begin_tree();
+}
+
+// That of the second best assignment; 0 if there is none.
+double Ranking::second_loss() {
+  reach_ = std::max(pool_.reach_of_few(), 4 * noise_);
+  begin_tree();
+  double least = kInfinity;
+  while (!queue_.empty()) {
+    const Entry entry = take_first();
+    if (!(entry.loss < least)) break;
+    const CycleSearch::Outcome outcome = search_.search(graph_of(0), entry.branch, least);
+    if (outcome.found) least = outcome.loss;
   }
-  for (std::uint32_t i = 0; i < num_rows; ++i) {
-    const std::uint32_t held = state_.column_of_row(i);
-    if (held != kNone) leaving[i] = problem_.row_outside[i] - best_u_[i];
-    for (std::uint32_t k = problem_.row_start[i]; k < problem_.row_start[i + 1]; ++k) {
-      const std::uint32_t j = problem_.column[k];
-      const double reduced = problem_.cost[k] - best_u_[i] - best_v_[j];
-      if (j == held) continue;
-      leaving[i] = reduced < leaving[i] ? reduced : leaving[i];
-      entering[j] = reduced < entering[j] ? reduced : entering[j];
+  return least < kInfinity ? least : 0;
+}
+
+void Ranking::begin_tree() {
+  pool_.fill(reach_);
+  store_.clear();
+  changes_.clear();
+  queue_.clear();
+  draft_.draw_best(problem_, pool_, reach_);
+  draft_.tune(kFirstRounds, reach_);
+  draft_.store(false, store_);
+  beyond_ = draft_.beyond();
+  nodes_.assign(1, {0, 0, 0, 0, 0, static_cast<std::uint32_t>(store_.members.size())});
+  judge_branches(0);
+}
+
+// Begins another tree that reaches further; false if there is nothing more.
+bool Ranking::extend() {
+  if (beyond_ == kInfinity) return false;
+  const double growth = nodes_.size() < kFewNodes ? kFastGrowth : kGrowth;
+  move_to(0);
+  listed_reach_ = reach_;
+  at_listed_.swap(at_reach_);
+  at_reach_.clear();
+  reach_ = std::max(beyond_, growth * reach_) + 4 * noise_;
+  begin_tree();
+  return true;
+}
+
+ExchangeGraph Ranking::graph_of(std::uint32_t node) const {
+  return store_.graph(nodes_[node].members_begin, nodes_[node].members_end);
+}
+
+// The last branch has only its own member, the first has all: whoever comes later bounds it.
+void Ranking::judge_branches(std::uint32_t node) {
+  const ExchangeGraph graph = graph_of(node);
+  entering_.resize(graph.outside() + 1);
+  for (std::uint32_t n = 0; n < graph.outside(); ++n) entering_[n] = graph.members[n].drop;
+  for (std::uint32_t n = graph.outside(); n-- > 0;) {
+    double leaving = kInfinity;
+    for (const Exchange& exchange : graph.of(n)) {
+      entering_[exchange.target] = std::min(entering_[exchange.target], exchange.loss);
+      if (exchange.target > n) leaving = std::min(leaving, exchange.loss);
+    }
+    const double loss = nodes_[node].loss + leaving + entering_[n];
+    if (loss <= reach_ && loss < kInfinity) {
+      wait({loss, node, n, false});
+    } else {
+      beyond_ = std::min(beyond_, loss);
     }
   }
-  row_losses_.clear();
-  for (std::uint32_t i = 0; i < num_rows; ++i) {
-    const std::uint32_t held = state_.column_of_row(i);
-    const double loss = leaving[i] + (held == kNone ? 0 : entering[held]);
-    if (loss < kInfinity) row_losses_.push_back(std::max(0.0, loss));
+}
+
+void Ranking::solve(Entry entry) {
+  const double before = nodes_[entry.node].loss;
+  const CycleSearch::Outcome outcome =
+      search_.search(graph_of(entry.node), entry.branch, reach_ - before);
+  entry.loss = before + outcome.loss;
+  entry.is_solved = true;
+  if (outcome.found) {
+    wait(entry);
+  } else {
+    beyond_ = std::min(beyond_, entry.loss);
   }
-  std::sort(row_losses_.begin(), row_losses_.end());
-  reach_rank_ = std::min(kFirstReachRank, row_losses_.size());
-  set_reach(reach_rank_ == 0 ? 0 : row_losses_[reach_rank_ - 1]);
 }
 
-void Ranking::set_reach(double reach) {
-  reach_ = reach + noise_;
-  core_.build(problem_, best_u_, best_v_, reach_);
+// Finds the cycle of a solved branch again, which takes less time than it would take memory to
+// keep it, and divides what is left of the branch.
+std::uint32_t Ranking::add_node(const Entry& entry) {
+  const ExchangeGraph graph = graph_of(entry.node);
+  search_.search(graph, entry.branch, reach_ - nodes_[entry.node].loss);
+  const double spare = reach_ - entry.loss;
+  draft_.draw_next(graph, entry.branch, search_, pool_, spare);
+  Node node{entry.loss, entry.node, static_cast<std::uint32_t>(changes_.size()), 0, 0, 0};
+  list_changes(graph, entry.branch);
+  node.changes_end = static_cast<std::uint32_t>(changes_.size());
+  draft_.tune(kRounds, spare);
+  beyond_ = std::min(beyond_, entry.loss + draft_.beyond());
+  node.members_begin = static_cast<std::uint32_t>(store_.members.size());
+  draft_.store(true, store_);
+  node.members_end = static_cast<std::uint32_t>(store_.members.size());
+  nodes_.push_back(node);
+  const std::uint32_t added = static_cast<std::uint32_t>(nodes_.size() - 1);
+  judge_branches(added);
+  return added;
 }
 
-// Looks further; false if there is nothing more.  Duals of the nodes stay right: those of a node
-// moved by no more than its loss, so that pairs out of reach have no negative reduced cost there.
-bool Ranking::extend() {
-  const double least = std::min(beyond_, core_.next_reach());
-  if (least == kInfinity) return false;
-  reach_rank_ += std::max<std::size_t>(1, reach_rank_ / 2);
-  const bool is_ranked = reach_rank_ <= row_losses_.size();
-  set_reach(std::max(least, is_ranked ? row_losses_[reach_rank_ - 1] : kReachGrowth * reach_));
-  beyond_ = kInfinity;
-  for (const std::uint32_t node : divided_) judge_branches(node, nodes_[node].branches_begin);
-  return true;
+void Ranking::list_changes(const ExchangeGraph& graph, std::uint32_t branch) {
+  for (std::uint32_t n = branch; n < graph.outside(); ++n) {
+    const std::uint32_t row = graph.members[n].row;
+    const std::uint32_t pair = draft_.members()[n - branch].held;
+    if (pair == graph.members[n].held) continue;
+    if (pair == kNone) {
+      changes_.push_back({row, kNone, problem_.row_outside[row]});
+    } else {
+      changes_.push_back({row, pool_.column(pair), pool_.cost(pair)});
+    }
+  }
+}
+
+void Ranking::exchange(std::uint32_t node) {
+  const Node& moved = nodes_[node];
+  assignment_.exchange(
+      std::span(changes_).subspan(moved.changes_begin, moved.changes_end - moved.changes_begin));
 }
 
 void Ranking::move_to(std::uint32_t node) {
   way_.clear();
   for (std::uint32_t goal = node; at_ != goal;) {
     if (at_ > goal) {
-      state_.undo(nodes_[at_].changes);
+      exchange(at_);
       at_ = nodes_[at_].parent;
     } else {
       way_.push_back(goal);
       goal = nodes_[goal].parent;
     }
   }
-  for (; !way_.empty(); way_.pop_back()) state_.redo(nodes_[way_.back()].changes);
+  for (; !way_.empty(); way_.pop_back()) exchange(way_.back());
   at_ = node;
-}
-
-void Ranking::append_open_rows(const Node& node) {
-  if (node.branch == kNone) {
-    for (std::uint32_t i = 0; i < problem_.num_rows(); ++i) branches_.push_back({i, false});
-    return;
-  }
-  const std::uint32_t end = nodes_[node.parent].branches_end;
-  for (std::uint32_t n = node.branch; n < end; ++n) branches_.push_back({branches_[n].row, false});
-}
-
-// Puts rows that have nothing else to choose within reach first, then the others by descending
-// loss, so that promising branches are small.  Returns where those begin.
-std::uint32_t Ranking::sort_branches(const Node& node, std::uint32_t begin) {
-  const std::uint32_t end = static_cast<std::uint32_t>(branches_.size());
-  subproblem_.clear();
-  for (std::uint32_t n = begin; n < end; ++n) subproblem_.open(branches_[n].row);
-  subproblem_.open(state_.nobody());
-  near_.clear();
-  std::uint32_t near_begin = begin;
-  for (std::uint32_t n = begin; n < end; ++n) {
-    const std::uint32_t row = branches_[n].row;
-    const double loss = node.loss + least_loss(state_, core_, subproblem_, row);
-    if (loss <= reach_) {
-      near_.push_back({loss, row, kNone});
-    } else {
-      beyond_ = std::min(beyond_, loss);
-      branches_[near_begin++].row = row;
-    }
-  }
-  std::sort(near_.begin(), near_.end(), [](const Entry& a, const Entry& b) {
-    return a.loss != b.loss ? a.loss > b.loss : a.node < b.node;
-  });
-  for (std::uint32_t n = 0; n < near_.size(); ++n) branches_[near_begin + n].row = near_[n].node;
-  return near_begin;
-}
-
-void Ranking::divide(std::uint32_t node) {
-  move_to(node);
-  Node& divided = nodes_[node];
-  divided.branches_begin = static_cast<std::uint32_t>(branches_.size());
-  append_open_rows(divided);
-  divided.branches_end = static_cast<std::uint32_t>(branches_.size());
-  divided_.push_back(node);
-  const bool has_first = divided.row != kNone;
-  judge_branches(node, sort_branches(divided, divided.branches_begin + (has_first ? 1 : 0)));
-}
-
-void Ranking::forbid(std::uint32_t row, std::uint32_t first) {
-  for (std::uint32_t n = first; n != kNone; n = forbidden_[n].next) {
-    subproblem_.forbid(row, forbidden_[n].choice);
-  }
-}
-
-// The rows of this branch and the ones after it must be open.
-void Ranking::judge_branch(std::uint32_t node, std::uint32_t branch) {
-  const double loss =
-      nodes_[node].loss + least_loss(state_, core_, subproblem_, branches_[branch].row);
-  if (loss <= reach_) {
-    wait({loss, node, branch});
-  } else {
-    beyond_ = std::min(beyond_, loss);
-  }
-}
-
-// Branches from `begin` on, and the first of the node in any case.
-void Ranking::judge_branches(std::uint32_t node, std::uint32_t begin) {
-  move_to(node);
-  const Node& divided = nodes_[node];
-  subproblem_.clear();
-  subproblem_.open(state_.nobody());
-  if (divided.row != kNone) forbid(divided.row, divided.forbidden);
-  for (std::uint32_t n = divided.branches_end; n > divided.branches_begin;) {
-    subproblem_.open(branches_[--n].row);
-    const bool is_first = divided.row != kNone && n == divided.branches_begin;
-    if ((n >= begin || is_first) && !branches_[n].is_listed) judge_branch(node, n);
-  }
-}
-
-void Ranking::solve_branch(std::uint32_t node, std::uint32_t branch) {
-  move_to(node);
-  const Node parent = nodes_[node];
-  const std::uint32_t row = branches_[branch].row;
-  const std::uint32_t held = state_.column_of_row(row);
-  const std::uint32_t before = row == parent.row ? parent.forbidden : kNone;
-  subproblem_.clear();
-  subproblem_.open(state_.nobody());
-  for (std::uint32_t n = branch; n < parent.branches_end; ++n) subproblem_.open(branches_[n].row);
-  subproblem_.forbid(row, held);
-  forbid(row, before);
-  const RankingSearch::Outcome outcome =
-      search_.choose_again(state_, core_, subproblem_, row, reach_ - parent.loss);
-  const double loss = parent.loss + outcome.loss;
-  if (!outcome.found) {
-    beyond_ = std::min(beyond_, loss);
-    return;
-  }
-  forbidden_.push_back({held, before});
-  at_ = static_cast<std::uint32_t>(nodes_.size());
-  const std::uint32_t first = static_cast<std::uint32_t>(forbidden_.size() - 1);
-  nodes_.push_back({node, branch, row, first, loss, outcome.changes, 0, 0});
-  wait({loss, at_, kNone});
 }
 
 }  // namespace nda::lap

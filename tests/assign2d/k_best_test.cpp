@@ -132,7 +132,7 @@ TEST_P(Assign2dKBestOfRandom, EqualsEnumeration) {
   std::size_t num_ranks = 0;
   for (int n = 0; n < 600; ++n) {
     SCOPED_TRACE("problem " + std::to_string(n));
-    Recipe recipe = support::random_recipe(5, random);
+    Recipe recipe = support::random_recipe(6, random);
     if (n % 2 == 0) recipe.must_rows = 0;
     const OwnedProblem problem = random_problem(recipe, random);
     const std::vector<Assign2dResult> results = list_all(problem.view());
