@@ -1,10 +1,12 @@
 #include "kbest/part.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
 #include "bnb/component_slack.hpp"
+#include "kbest/slack_ranking.hpp"
 #include "relax/lagrangian.hpp"
 #include "solve/component_solver.hpp"
 
@@ -24,18 +26,20 @@ double beyond(double slack, double error) {
 }
 
 Part::Part(core::Component component, const SlackView& view)
-    : component_(std::move(component)),
-      price_(component_.num_slots(), 0.0),
-      error_(pipeline::precision_of(component_, {}).error) {
+    : component_(std::move(component)), price_(component_.num_slots(), 0.0) {
+  double largest = 0;
   core::for_each_index(component_, [&](std::uint32_t s, std::size_t k, Index i) {
     price_[s] = view.price(view.slot(k, i));
+    largest = std::max(largest, std::abs(view.multipliers().base[k][i]));
   });
   const std::vector<ArcId>& best = view.best();
   for (ArcId a = 0; a < component_.num_arcs(); ++a) {
     const ArcId original = core::original_arc(component_, a);
+    largest = std::max(largest, std::abs(view.problem().costs()[original]));
     reduced_.push_back(view.reduced(original));
     if (std::binary_search(best.begin(), best.end(), original)) best_.push_back(a);
   }
+  error_ = pipeline::precision_of(component_.num_indices(), largest, {}).error;
   least_ = slack_of_best();
 }
 
@@ -54,34 +58,34 @@ double Part::slack_of_best() const {
 
 void Part::tighten(const core::Deadline& deadline) {
   if (least_ <= beyond(0, error_)) return;
-  relax::LagrangianOptions loop;
-  loop.max_evaluations = kEvaluations;
-  loop.deadline = deadline;
-  loop.goal = core::make_packing(component_, best_).cost;
-  const relax::LagrangianResult found = relax::maximize_dual(component_, {}, loop, {});
-  if (!(loop.goal - found.lower < least_)) return;
-  for (std::size_t s = 0; s < price_.size(); ++s) price_[s] = std::max(0.0, -found.u[s]);
-  for (ArcId a = 0; a < reduced_.size(); ++a)
-    reduced_[a] = std::max(0.0, core::reduced_cost(component_, found.u, a));
-  least_ = slack_of_best();
 }
 
-double Part::all() const {
-  double sum = 0;
-  for (const double r : reduced_) sum += r;
-  for (const double price : price_) sum += price < kInfinity ? price : 0;
-  return sum;
-}
-
-SlackRanking Part::rank(double reach,
-                        std::size_t k,
-                        const bnb::SlackLimits& limits,
-                        Combinations& combinations) const {
+bool Part::rank(double reach,
+                std::size_t k,
+                const bnb::SlackLimits& limits,
+                Combinations& combinations,
+                std::int64_t& nodes) {
+  if (listed_k_ > 0 && (k <= list_.size() || (list_.size() < listed_k_ && reach < reached())))
+    return true;
   const double budget = beyond(least_ + reach, error_);
   const bnb::ComponentSlack slack = bnb::slack_of(component_, price_, reduced_, budget);
   std::vector<std::uint32_t> names;
   for (const ArcId a : slack.arcs) names.push_back(core::original_arc(component_, a));
-  return rank_slack(slack.problem, budget, k, limits, names, combinations);
+  SlackRanking found = rank_slack(slack.problem, budget, k, limits, names, combinations);
+  nodes += found.nodes;
+  if (!found.complete) return false;
+  list_ = std::move(found.packings);
+  listed_k_ = k;
+  next_ = found.next;
+  for (const double r : reduced_) next_ = r < budget ? next_ : std::min(next_, r);
+  return true;
+}
+
+double Part::reached() const {
+  if (listed_k_ == 0) return 0;
+  const double next = list_.size() < listed_k_ ? next_ : list_.back().slack;
+  if (next == kInfinity) return next;
+  return next - (kRounding * next + 4 * error_) - least_;
 }
 
 }  // namespace nda::kbest
