@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
-#include "bnb/component_slack.hpp"
 #include "kbest/slack_ranking.hpp"
-#include "relax/lagrangian.hpp"
+#include "kbest/tighter_slack.hpp"
 #include "solve/component_solver.hpp"
 
 namespace nda::kbest {
@@ -17,7 +17,8 @@ using core::ArcId;
 namespace {
 
 constexpr double kRounding = 0x1p-36;  // of a slack
-constexpr int kEvaluations = 100;
+constexpr double kTightReach = 1.5;  // what is tightened serves so many times the reach
+constexpr double kTrialWork = 4e6;  // before a tighter slack is looked for
 
 }  // namespace
 
@@ -25,39 +26,52 @@ double beyond(double slack, double error) {
   return slack + kRounding * slack + 4 * error + std::numeric_limits<double>::min();
 }
 
-Part::Part(core::Component component, const SlackView& view)
-    : component_(std::move(component)), price_(component_.num_slots(), 0.0) {
-  double largest = 0;
+Part::Part(core::Component component, const SlackView& view) : component_(std::move(component)) {
+  std::vector<double> price(component_.num_slots(), 0.0);
   core::for_each_index(component_, [&](std::uint32_t s, std::size_t k, Index i) {
-    price_[s] = view.price(view.slot(k, i));
-    largest = std::max(largest, std::abs(view.multipliers().base[k][i]));
+    price[s] = view.price(view.slot(k, i));
+    largest_ = std::max(largest_, std::abs(view.multipliers().base[k][i]));
   });
+  std::vector<double> reduced;
   const std::vector<ArcId>& best = view.best();
   for (ArcId a = 0; a < component_.num_arcs(); ++a) {
     const ArcId original = core::original_arc(component_, a);
-    largest = std::max(largest, std::abs(view.problem().costs()[original]));
-    reduced_.push_back(view.reduced(original));
+    largest_ = std::max(largest_, std::abs(view.problem().costs()[original]));
+    reduced.push_back(view.reduced(original));
     if (std::binary_search(best.begin(), best.end(), original)) best_.push_back(a);
   }
-  error_ = pipeline::precision_of(component_.num_indices(), largest, {}).error;
-  least_ = slack_of_best();
+  first_.slack = bnb::slack_of(component_, price, reduced, kInfinity);
+  finish(first_);
 }
 
-double Part::slack_of_best() const {
-  std::vector<bool> covered(price_.size(), false);
-  double slack = 0;
-  for (const ArcId a : best_) {
-    slack += reduced_[a];
-    core::for_each_slot(component_, a, [&](std::uint32_t s) { covered[s] = true; });
+// Fills in what follows from the slack.
+void Part::finish(Form& form) const {
+  const bnb::SlackProblem& slack = form.slack.problem;
+  std::vector<std::uint32_t> used(slack.num_rows(), 0);
+  for (const ArcId a : core::positions_in(form.slack.arcs, best_)) {
+    form.least += slack.reduced(a);
+    for (const bnb::RowUse use : slack.uses(a)) used[use.row] += use.coefficient;
   }
-  for (std::size_t s = 0; s < price_.size(); ++s) {
-    if (!covered[s]) slack += price_[s];
+  double largest = largest_;
+  for (std::uint32_t row = 0; row < slack.num_rows(); ++row) {
+    if (slack.price(row) < kInfinity) largest = std::max(largest, slack.capacity(row) * slack.price(row));
+    if (used[row] < slack.capacity(row)) form.least += (slack.capacity(row) - used[row]) * slack.price(row);
   }
-  return slack;
+  form.error = pipeline::precision_of(slack.num_rows(), largest, {}).error;
 }
 
-void Part::tighten(const core::Deadline& deadline) {
-  if (least_ <= beyond(0, error_)) return;
+// For a reach somewhat larger.  Returns whether that leaves the best solution less slack.
+bool Part::tighten(double reach, const core::Deadline& deadline) {
+  Form tighter;
+  tighter.reach = kTightReach * beyond(reach, first_.error);
+  std::optional<bnb::ComponentSlack> slack =
+      tighter_slack(component_, first_.slack.problem, best_, tighter.reach, deadline);
+  if (!slack) return false;
+  tighter.slack = std::move(*slack);
+  finish(tighter);
+  if (!(tighter.least < first_.least)) return false;
+  tight_ = std::move(tighter);
+  return true;
 }
 
 bool Part::rank(double reach,
@@ -65,27 +79,55 @@ bool Part::rank(double reach,
                 const bnb::SlackLimits& limits,
                 Combinations& combinations,
                 std::int64_t& nodes) {
-  if (listed_k_ > 0 && (k <= list_.size() || (list_.size() < listed_k_ && reach < reached())))
+  if (listed_k_ > 0 && (k <= list_.size() || (list_.size() < listed_k_ && reach < reached_)))
     return true;
-  const double budget = beyond(least_ + reach, error_);
-  const bnb::ComponentSlack slack = bnb::slack_of(component_, price_, reduced_, budget);
-  std::vector<std::uint32_t> names;
-  for (const ArcId a : slack.arcs) names.push_back(core::original_arc(component_, a));
-  SlackRanking found = rank_slack(slack.problem, budget, k, limits, names, combinations);
+  const bool is_tight = tight_ && reach < tight_->reach;
+  const bool may_tighten = !is_tight && first_.least > beyond(0, first_.error);
+  bnb::SlackLimits trial = limits;
+  if (may_tighten) trial.max_work = std::min(limits.max_work, kTrialWork);
+  Found found = search(is_tight ? *tight_ : first_, reach, k, trial, combinations);
   nodes += found.nodes;
+  trial.max_nodes = limits.max_nodes - found.nodes;
+  trial.max_work = limits.max_work;
+  if (!found.complete && may_tighten && trial.max_nodes > 0 && !limits.deadline.reached()) {
+    const bool is_tighter = tighten(reach, limits.deadline);
+    found = search(is_tighter ? *tight_ : first_, reach, k, trial, combinations);
+    nodes += found.nodes;
+  }
   if (!found.complete) return false;
-  list_ = std::move(found.packings);
   listed_k_ = k;
-  next_ = found.next;
-  for (const double r : reduced_) next_ = r < budget ? next_ : std::min(next_, r);
+  reached_ = found.reached;
+  list_ = std::move(found.list);
   return true;
 }
 
-double Part::reached() const {
-  if (listed_k_ == 0) return 0;
-  const double next = list_.size() < listed_k_ ? next_ : list_.back().slack;
-  if (next == kInfinity) return next;
-  return next - (kRounding * next + 4 * error_) - least_;
+// Over the arcs within the budget; the others are left out.
+Part::Found Part::search(const Form& form,
+                         double reach,
+                         std::size_t k,
+                         const bnb::SlackLimits& limits,
+                         Combinations& combinations) const {
+  const bnb::SlackProblem& slack = form.slack.problem;
+  const double budget = beyond(form.least + reach, form.error);
+  bnb::SlackProblem problem(slack.num_indices());
+  for (std::uint32_t row = 0; row < slack.num_rows(); ++row)
+    problem.add_row(slack.price(row), slack.capacity(row));
+  std::vector<std::uint32_t> names;
+  double next = form.least + form.reach;
+  for (ArcId a = 0; a < slack.num_arcs(); ++a) {
+    if (slack.reduced(a) < budget) {
+      problem.add_arc(slack.reduced(a), slack.uses(a));
+      names.push_back(core::original_arc(component_, form.slack.arcs[a]));
+    } else {
+      next = std::min(next, slack.reduced(a));
+    }
+  }
+  SlackRanking ranking = rank_slack(problem, budget, k, limits, names, combinations);
+  next = std::min(next, ranking.next);
+  if (ranking.packings.size() == k) next = ranking.packings.back().slack;
+  for (Ranked& ranked : ranking.packings) ranked.slack -= form.least;
+  const double rounding = next < kInfinity ? kRounding * next + 4 * form.error : 0;
+  return {std::move(ranking.packings), next - rounding - form.least, ranking.complete, ranking.nodes};
 }
 
 }  // namespace nda::kbest

@@ -2,9 +2,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "bnb/component_slack.hpp"
 #include "bnb/slack_search.hpp"
 #include "core/clock.hpp"
 #include "core/component.hpp"
@@ -20,41 +22,54 @@ class Part {
   /// @param component  cut out of the problem of `view`, which has the prices.
   Part(core::Component component, const SlackView& view);
 
-  /// Looks for multipliers that leave the best solution less slack, where it has much.
-  void tighten(const core::Deadline& deadline);
-
   /// Of the problem, ascending.
   std::span<const core::ArcId> arcs() const { return component_.arc_origin; }
-  /// Slack of the best solution.
-  double least() const { return least_; }
-
-  /// Ranks the packings whose slack exceeds the best solution's by no more than `reach`, or the k
-  /// best of them; nothing is searched where it is known that there are no others.  Returns
-  /// whether the limits let it; `nodes` grows by those searched.
+  /// Ranks the packings that cost no more than `reach` above the best solution's, or the k best of
+  /// them; nothing is searched where it is known that there are no others.  Returns whether the
+  /// limits let it; `nodes` grows by those searched.
   bool rank(double reach,
             std::size_t k,
             const bnb::SlackLimits& limits,
             Combinations& combinations,
             std::int64_t& nodes);
 
-  /// The packings found, ascending: all those within the last reach, or the k best of them, and
-  /// maybe others.
+  /// The packings found, by what they cost more than the best solution's, ascending: all those
+  /// within the last reach, or the k best of them, and maybe others.
   const RankedList& list() const { return list_; }
-  /// None that is not listed exceeds the best solution's slack by less than this.
-  double reached() const;
+  /// None that is not listed costs less than this above the best solution's.
+  double reached() const { return reached_; }
 
  private:
-  double slack_of_best() const;
+  // One way to write costs as slack.
+  struct Form {
+    bnb::ComponentSlack slack{bnb::SlackProblem(0), {}};
+    double reach = kInfinity;  // packings of other arcs cost more above the best
+    double least = 0;          // slack of the best solution
+    double error = 0;          // of rounding
+  };
+  struct Found {
+    RankedList list;
+    double reached;
+    bool complete;
+    std::int64_t nodes;
+  };
+
+  void finish(Form& form) const;
+  bool tighten(double reach, const core::Deadline& deadline);
+  Found search(const Form& form,
+               double reach,
+               std::size_t k,
+               const bnb::SlackLimits& limits,
+               Combinations& combinations) const;
 
   core::Component component_;
-  std::vector<double> reduced_;    // [arc]
-  std::vector<double> price_;      // [slot]
   std::vector<core::ArcId> best_;  // arcs of the best solution
-  double error_;                   // of rounding
-  double least_;
+  double largest_ = 0;             // cost or multiplier, in size
+  Form first_;                     // by the multipliers of the best solution
+  std::optional<Form> tight_;      // where that led to long searches
   RankedList list_;
   std::size_t listed_k_ = 0;  // of how many the list is
-  double next_ = 0;           // slack that others have at least, if the list is shorter
+  double reached_ = 0;
 };
 
 /// What lies above that is beyond a slack, whatever rounding did.

@@ -198,7 +198,6 @@ bool Ranker::replace_parts(const std::vector<ArcId>& near, const core::Deadline&
       continue;
     }
     parts.emplace_back(cutter.cut(whole, partition.component(p)), *view_);
-    parts.back().tighten(deadline);
   }
   if (deadline.reached()) return false;
   for (Part* part : kept) parts.push_back(std::move(*part));
@@ -209,11 +208,7 @@ bool Ranker::replace_parts(const std::vector<ArcId>& near, const core::Deadline&
 // Lists sums of the parts' packings up to a reach, the k least.
 bool Ranker::add_sums(double reach, std::size_t k, const core::Deadline& deadline) {
   std::vector<const RankedList*> lists;
-  double least = 0;
-  for (const Part& part : parts_) {
-    lists.push_back(&part.list());
-    least += part.least();
-  }
+  for (const Part& part : parts_) lists.push_back(&part.list());
   is_cut_short_ = true;
   Sums sums(std::move(lists), combinations_);
   std::vector<std::vector<ArcId>> found;
@@ -221,7 +216,7 @@ bool Ranker::add_sums(double reach, std::size_t k, const core::Deadline& deadlin
   for (; count < k; ++count) {
     if (count % kSumsBetweenLooks == 0 && deadline.reached()) break;
     const std::optional<Ranked> sum = sums.next();
-    is_cut_short_ = sum && sum->slack <= least + reach;
+    is_cut_short_ = sum && sum->slack <= reach;
     if (!is_cut_short_) break;
     std::vector<ArcId> arcs = combinations_.arcs(sum->arcs);
     std::sort(arcs.begin(), arcs.end());
