@@ -21,14 +21,13 @@ void rank(const Problem& problem, Solution& solution, std::size_t k, const Optio
                                     options.time_limit_s - solution.stats.solve_seconds);
   const core::Deadline& deadline = supervision.deadline();
   kbest::Ranker ranker(problem, solution);
-  std::vector<RankedSolution> ranks = {solution.solutions.front()};
-  if (ranks.front().proven) {
-    ranker.list(k, k, {options.branch.max_nodes - solution.stats.nodes, deadline});
-    if (!ranker.listed().empty()) ranks = ranker.listed();
-    if (ranks.size() > k) ranks.resize(k);
-    kbest::sort_by_cost(ranks);
-  }
-  if (!ranker.has_all() && ranks.size() < k) 
+  const std::size_t enough = solution.proven ? k : 1;
+  ranker.list(enough, k, {options.branch.max_nodes - solution.stats.nodes, deadline});
+  std::vector<RankedSolution> ranks = ranker.listed();
+  if (ranks.empty()) ranks = solution.solutions;
+  if (ranks.size() > k) ranks.resize(k);
+  kbest::sort_by_cost(ranks);
+  if (!ranker.has_all() && ranks.size() < k)
     std::ranges::move(ranker.unlisted(k - ranks.size(), deadline), std::back_inserter(ranks));
   for (std::size_t r = 0; r < ranks.size(); ++r) ranks[r].rank = static_cast<int>(r) + 1;
   solution.solutions = std::move(ranks);

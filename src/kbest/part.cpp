@@ -17,8 +17,13 @@ using core::ArcId;
 namespace {
 
 constexpr double kRounding = 0x1p-36;  // of a slack
-constexpr double kTightReach = 1.5;  // what is tightened serves so many times the reach
-constexpr double kTrialWork = 4e6;  // before a tighter slack is looked for
+constexpr double kFirstShare = 1.0 / 64;   // of the reach, where it is beyond what a trial manages
+constexpr double kShareOfLeast = 1.0 / 8;  // of the slack of the best solution, at least
+constexpr double kStep = 1.6;  // from one reach to the next
+constexpr double kTightReach = 2.5;  // what is tightened serves so many times the reach
+constexpr double kGridErrors = 8;          // that rounding may be from a point of the grid
+constexpr double kGridTolerance = 0x1p-6;  // of its step, at most
+constexpr double kTrialWork = 1e6;  // before a tighter slack is looked for
 
 }  // namespace
 
@@ -26,7 +31,8 @@ double beyond(double slack, double error) {
   return slack + kRounding * slack + 4 * error + std::numeric_limits<double>::min();
 }
 
-Part::Part(core::Component component, const SlackView& view) : component_(std::move(component)) {
+Part::Part(core::Component component, const SlackView& view, double grid)
+    : component_(std::move(component)), grid_(grid) {
   std::vector<double> price(component_.num_slots(), 0.0);
   core::for_each_index(component_, [&](std::uint32_t s, std::size_t k, Index i) {
     price[s] = view.price(view.slot(k, i));
@@ -60,18 +66,32 @@ void Part::finish(Form& form) const {
   form.error = pipeline::precision_of(slack.num_rows(), largest, {}).error;
 }
 
-// For a reach somewhat larger.  Returns whether that leaves the best solution less slack.
-bool Part::tighten(double reach, const core::Deadline& deadline) {
+bool Part::is_ranked(double reach, std::size_t k) const {
+  return listed_k_ > 0 &&
+         (k <= list_.size() || (list_.size() < listed_k_ && reach < reached_));
+}
+
+void Part::keep(Found found, std::size_t k) {
+  listed_k_ = k;
+  reached_ = found.reached;
+  list_ = std::move(found.list);
+}
+
+const Part::Form& Part::form(double reach) const {
+  return tight_ && reach < tight_->reach ? *tight_ : first_;
+}
+
+// For a reach somewhat larger, unless that is done or there is nothing to gain.
+void Part::tighten(double reach, const core::Deadline& deadline) {
+  if (first_.least <= beyond(0, first_.error) || (tight_ && reach < tight_->reach)) return;
   Form tighter;
   tighter.reach = kTightReach * beyond(reach, first_.error);
   std::optional<bnb::ComponentSlack> slack =
       tighter_slack(component_, first_.slack.problem, best_, tighter.reach, deadline);
-  if (!slack) return false;
+  if (!slack) return;
   tighter.slack = std::move(*slack);
   finish(tighter);
-  if (!(tighter.least < first_.least)) return false;
-  tight_ = std::move(tighter);
-  return true;
+  if (tighter.least < first_.least) tight_ = std::move(tighter);
 }
 
 bool Part::rank(double reach,
@@ -79,26 +99,45 @@ bool Part::rank(double reach,
                 const bnb::SlackLimits& limits,
                 Combinations& combinations,
                 std::int64_t& nodes) {
-  if (listed_k_ > 0 && (k <= list_.size() || (list_.size() < listed_k_ && reach < reached_)))
-    return true;
-  const bool is_tight = tight_ && reach < tight_->reach;
-  const bool may_tighten = !is_tight && first_.least > beyond(0, first_.error);
-  bnb::SlackLimits trial = limits;
-  if (may_tighten) trial.max_work = std::min(limits.max_work, kTrialWork);
-  Found found = search(is_tight ? *tight_ : first_, reach, k, trial, combinations);
-  nodes += found.nodes;
-  trial.max_nodes = limits.max_nodes - found.nodes;
-  trial.max_work = limits.max_work;
-  if (!found.complete && may_tighten && trial.max_nodes > 0 && !limits.deadline.reached()) {
-    const bool is_tighter = tighten(reach, limits.deadline);
-    found = search(is_tighter ? *tight_ : first_, reach, k, trial, combinations);
+  if (is_ranked(reach, k)) return true;
+  const std::int64_t last = nodes + limits.max_nodes;
+  bnb::SlackLimits search = limits;
+  double most = reach;
+  const auto rank_within = [&](double within) {
+    Found found = this->search(form(within), within, k, search, combinations);
     nodes += found.nodes;
+    search.max_nodes = last - nodes;
+    if (found.list.size() == k) most = std::min(most, found.list.back().slack);
+    if (found.complete) keep(std::move(found), k);
+    return found.complete;
+  };
+  search.max_work = std::min(limits.max_work, kTrialWork);
+  if (rank_within(reach)) return true;
+  search.max_work = limits.max_work;
+  // As many as are found bound the last of the best, whatever else there is.
+  double within = useful(std::max(kFirstShare * most, kShareOfLeast * first_.least), most);
+  for (; !is_ranked(most, k); within = useful(std::max(kStep * within, reached_), most)) {
+    if (search.max_nodes <= 0 || limits.deadline.reached()) return false;
+    tighten(within, limits.deadline);
+    if (!is_ranked(within, k) && !rank_within(within)) return false;
   }
-  if (!found.complete) return false;
-  listed_k_ = k;
-  reached_ = found.reached;
-  list_ = std::move(found.list);
   return true;
+}
+
+// What packings that cost so much more than the best cost more at least: costs lie on a grid.
+double Part::on_grid(double rise) const {
+  const double tolerance = kGridErrors * first_.error;
+  if (!(tolerance < kGridTolerance * grid_) || !(rise < kInfinity)) return rise;
+  return std::max(rise, grid_ * std::ceil((rise - tolerance) / grid_) - tolerance);
+}
+
+// The largest reach up to `within` that takes in a point of the grid, or the next one; `most` if
+// that is less.
+double Part::useful(double within, double most) const {
+  const double tolerance = kGridErrors * first_.error;
+  if (tolerance < kGridTolerance * grid_)
+    within = grid_ * std::floor((within + 2 * tolerance) / grid_) + 2 * tolerance;
+  return std::min(within, most);
 }
 
 // Over the arcs within the budget; the others are left out.
@@ -127,7 +166,10 @@ Part::Found Part::search(const Form& form,
   if (ranking.packings.size() == k) next = ranking.packings.back().slack;
   for (Ranked& ranked : ranking.packings) ranked.slack -= form.least;
   const double rounding = next < kInfinity ? kRounding * next + 4 * form.error : 0;
-  return {std::move(ranking.packings), next - rounding - form.least, ranking.complete, ranking.nodes};
+  return {std::move(ranking.packings),
+          on_grid(next - rounding - form.least),
+          ranking.complete,
+          ranking.nodes};
 }
 
 }  // namespace nda::kbest

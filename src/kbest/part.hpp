@@ -20,7 +20,8 @@ namespace nda::kbest {
 class Part {
  public:
   /// @param component  cut out of the problem of `view`, which has the prices.
-  Part(core::Component component, const SlackView& view);
+  /// @param grid       spacing of the costs (core::CostGrid), 0 if there is none.
+  Part(core::Component component, const SlackView& view, double grid);
 
   /// Of the problem, ascending.
   std::span<const core::ArcId> arcs() const { return component_.arc_origin; }
@@ -55,14 +56,21 @@ class Part {
   };
 
   void finish(Form& form) const;
-  bool tighten(double reach, const core::Deadline& deadline);
+  bool is_ranked(double reach, std::size_t k) const;
+  const Form& form(double reach) const;
+  void tighten(double reach, const core::Deadline& deadline);
+  void keep(Found found, std::size_t k);
   Found search(const Form& form,
                double reach,
                std::size_t k,
                const bnb::SlackLimits& limits,
                Combinations& combinations) const;
 
+  double on_grid(double rise) const;
+  double useful(double within, double most) const;
+
   core::Component component_;
+  double grid_;
   std::vector<core::ArcId> best_;  // arcs of the best solution
   double largest_ = 0;             // cost or multiplier, in size
   Form first_;                     // by the multipliers of the best solution

@@ -46,13 +46,11 @@ namespace {
 constexpr double kGrowth = 1.5;      // of the number of neighbours within reach
 constexpr double kBlindGrowth = 2;   // of the reach, where neighbours say nothing
 constexpr double kLeastGrowth = 1.25;  // beyond the reach from where on there may be more
-constexpr std::size_t kPairs = 256;  // of neighbours that take two arcs; at least
-constexpr std::size_t kPairsPerRank = 4;
 constexpr std::size_t kSumsBetweenLooks = 64;
 
 // As many neighbours as have k combinations, if no two exclude each other, and as many again.
 std::size_t first_within(std::size_t k) {
-  return 2 * static_cast<std::size_t>(std::ceil(std::log2(static_cast<double>(k))));
+  return 2 * static_cast<std::size_t>(std::ceil(std::log2(static_cast<double>(std::max<std::size_t>(k, 2)))));
 }
 
 std::size_t hash_of(const std::vector<ArcId>& arcs) {
@@ -90,13 +88,13 @@ bool Ranker::list(std::size_t enough, std::size_t planned, const RankLimits& lim
 bool Ranker::look(std::size_t planned, const core::Deadline& deadline) {
   if (view_) return true;
   view_.emplace(problem_, solution_, deadline);
-  const std::size_t pairs = std::max(kPairs, kPairsPerRank * planned);
-  if (!deadline.reached()) neighbours_ = view_->neighbours(pairs, deadline);
+  if (!deadline.reached()) neighbours_ = view_->neighbours(first_within(planned), deadline);
   if (deadline.reached()) {
     view_.reset();
     return false;
   }
   error_ = pipeline::precision_of(problem_.num_indices(), pipeline::largest_cost(problem_), {}).error;
+  grid_ = core::find_grid(problem_, deadline).step;
   append({view_->best()});
   return true;
 }
@@ -197,7 +195,7 @@ bool Ranker::replace_parts(const std::vector<ArcId>& near, const core::Deadline&
       kept.push_back(same->second);
       continue;
     }
-    parts.emplace_back(cutter.cut(whole, partition.component(p)), *view_);
+    parts.emplace_back(cutter.cut(whole, partition.component(p)), *view_, grid_);
   }
   if (deadline.reached()) return false;
   for (Part* part : kept) parts.push_back(std::move(*part));
@@ -238,7 +236,7 @@ void Ranker::append(std::vector<std::vector<ArcId>> found) {
   for (std::vector<ArcId>& arcs : found) {
     by_hash_.emplace(hash_of(arcs), arcs_.size());
     listed_.push_back(view_->solution_of(arcs));
-    listed_.back().proven = true;
+    listed_.back().proven = solution_.solutions.front().proven;
     arcs_.push_back(std::move(arcs));
   }
   sort_by_cost(listed_, before);

@@ -27,8 +27,8 @@ struct RankLimits {
 /// also where a limit struck: what was found is not searched again.
 class Ranker {
  public:
-  /// @param solution  its first entry is the best there is, proven, and has multipliers.  Both must
-  ///                  outlive it.
+  /// @param solution  has multipliers and a first entry, the best there is.  Where that is not
+  ///                  proven only one may be listed.  Both must outlive it.
   Ranker(const Problem& problem, const Solution& solution);
 
   /// Lists solutions until there are `enough`, or all.  Returns whether the limits let it.
@@ -67,6 +67,7 @@ class Ranker {
   std::vector<SlackView::Neighbour> neighbours_;
   std::size_t num_sorted_ = 0;  // of them, the cheapest
   double error_ = 0;            // of rounding
+  double grid_ = 0;             // spacing of the costs
   double cut_reach_ = -1;       // what the parts were made for
   double next_arc_ = 0;         // reduced cost that arcs in no part have at least
   std::vector<Part> parts_;     // all arcs within cut_reach_

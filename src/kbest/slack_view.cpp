@@ -11,6 +11,12 @@ namespace nda::kbest {
 
 using core::ArcId;
 
+namespace {
+
+constexpr std::size_t kPairsPerWanted = 32;
+
+}  // namespace
+
 SlackView::SlackView(const Problem& problem,
                      const Solution& solution,
                      const core::Deadline& deadline)
@@ -54,47 +60,55 @@ void SlackView::take(const RankedSolution& best) {
   }
 }
 
-std::vector<SlackView::Neighbour> SlackView::neighbours(std::size_t most_pairs,
+std::vector<SlackView::Neighbour> SlackView::neighbours(std::size_t wanted,
                                                         const core::Deadline& deadline) const {
   std::vector<Neighbour> found;
-  std::vector<ArcId> incomplete;
   core::for_each_until(deadline, reduced_.size(), [&](std::size_t n) {
     const auto a = static_cast<ArcId>(n);
     const double cost = rise(a);
-    if (cost < kInfinity) {
-      found.push_back({cost, a});
-    } else if (!is_best(a)) {
-      incomplete.push_back(a);
-    }
+    if (cost < kInfinity) found.push_back({cost, a});
   });
-  add_pairs(std::move(incomplete), most_pairs, deadline, found);
+  add_pairs(wanted, deadline, found);
   return found;
 }
 
-void SlackView::add_pairs(std::vector<ArcId> incomplete,
-                          std::size_t most,
+// Only such as may be among the cheapest.
+void SlackView::add_pairs(std::size_t wanted,
                           const core::Deadline& deadline,
                           std::vector<Neighbour>& found) const {
-  const auto cheaper = [&](ArcId a, ArcId b) {
-    return reduced_[a] != reduced_[b] ? reduced_[a] < reduced_[b] : a < b;
-  };
-  most = std::min(most, incomplete.size());
-  const auto end = incomplete.begin() + static_cast<std::ptrdiff_t>(most);
-  std::nth_element(incomplete.begin(), end, incomplete.end(), cheaper);
-  const auto before = static_cast<std::ptrdiff_t>(found.size());
-  core::for_each_until(deadline, most, [&](std::size_t n) {
-    if (const std::optional<Neighbour> pair = complete(incomplete[n])) found.push_back(*pair);
+  double most = kInfinity;
+  if (wanted <= found.size()) {
+    const auto last = found.begin() + static_cast<std::ptrdiff_t>(wanted) - 1;
+    std::nth_element(found.begin(), last, found.end(), [](const Neighbour& a, const Neighbour& b) {
+      return a.rise < b.rise;
+    });
+    most = last->rise;
+  }
+  std::vector<ArcId> firsts;
+  core::for_each_until(deadline, reduced_.size(), [&](std::size_t n) {
+    const auto a = static_cast<ArcId>(n);
+    if (reduced_[a] < most + slack_ && !is_best(a)) firsts.push_back(a);
+  });
+  const std::size_t tried = std::min(kPairsPerWanted * wanted, firsts.size());
+  std::nth_element(firsts.begin(),
+                   firsts.begin() + static_cast<std::ptrdiff_t>(tried),
+                   firsts.end(),
+                   [&](ArcId a, ArcId b) {
+                     return reduced_[a] != reduced_[b] ? reduced_[a] < reduced_[b] : a < b;
+                   });
+  std::vector<Neighbour> pairs;
+  core::for_each_until(deadline, tried, [&](std::size_t n) {
+    const std::optional<Neighbour> pair = complete(firsts[n]);
+    if (pair && pair->rise < most) pairs.push_back(*pair);
   });
   // Each may complete the other.
   const auto arcs = [](const Neighbour& pair) { return std::pair(pair.arc, pair.second); };
-  std::sort(found.begin() + before, found.end(), [&](const Neighbour& a, const Neighbour& b) {
+  std::sort(pairs.begin(), pairs.end(), [&](const Neighbour& a, const Neighbour& b) {
     return arcs(a) < arcs(b);
   });
-  const auto same = std::unique(
-      found.begin() + before, found.end(), [&](const Neighbour& a, const Neighbour& b) {
-        return arcs(a) == arcs(b);
-      });
-  found.erase(same, found.end());
+  const auto same = [&](const Neighbour& a, const Neighbour& b) { return arcs(a) == arcs(b); };
+  pairs.erase(std::unique(pairs.begin(), pairs.end(), same), pairs.end());
+  found.insert(found.end(), pairs.begin(), pairs.end());
 }
 
 // With the arc, if there is one, that covers all that an arc lays bare.
@@ -104,6 +118,7 @@ std::optional<SlackView::Neighbour> SlackView::complete(ArcId a) const {
   const std::optional<std::size_t> other = problem_.find(rest);
   if (!other) return std::nullopt;
   const auto c = static_cast<ArcId>(*other);
+  if (is_best(c)) return std::nullopt;
   double rise = reduced_[a] + reduced_[c];
   for_each_slot(a, [&](std::size_t s) { rise -= owner_[s] == kNone ? price_[s] : 0; });
   for_each_excluder(a, [&](ArcId b) { rise -= reduced_[b]; });

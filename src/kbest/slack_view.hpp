@@ -42,10 +42,10 @@ class SlackView {
     core::ArcId arc;  ///< put in, or taken out
     core::ArcId second = kNone;  ///< put in as well
   };
-  /// All that leave no index alone that must not be, in no order, and of those with two arcs only
-  /// such with a first arc among the `most_pairs` of least reduced cost that need a second one.
-  /// All are different.  Cut short by the deadline.  Cost: O(A N^2).
-  std::vector<Neighbour> neighbours(std::size_t most_pairs, const core::Deadline& deadline) const;
+  /// All of one arc that leave no index alone that must not be, and of those with two arcs some
+  /// that may be among the `wanted` cheapest; in no order.  All are different.  Cut short by the
+  /// deadline.  Cost: O(A N^2 + wanted N log A).
+  std::vector<Neighbour> neighbours(std::size_t wanted, const core::Deadline& deadline) const;
   std::vector<core::ArcId> arcs_of(const Neighbour& neighbour) const;
 
   /// Its cost is recomputed from the arcs.
@@ -82,8 +82,7 @@ class SlackView {
   void take(const RankedSolution& best);
   double rise(core::ArcId a) const;
   double removal(core::ArcId b, core::ArcId next) const;
-  void add_pairs(std::vector<core::ArcId> incomplete,
-                 std::size_t most,
+  void add_pairs(std::size_t wanted,
                  const core::Deadline& deadline,
                  std::vector<Neighbour>& found) const;
   std::optional<Neighbour> complete(core::ArcId a) const;
