@@ -28,7 +28,7 @@ void rank(const Problem& problem, Solution& solution, std::size_t k, const Optio
   if (ranks.size() > k) ranks.resize(k);
   kbest::sort_by_cost(ranks);
   if (!ranker.has_all() && ranks.size() < k)
-    std::ranges::move(ranker.unlisted(k - ranks.size(), deadline), std::back_inserter(ranks));
+    std::ranges::move(ranker.unlisted(0, k - ranks.size(), deadline), std::back_inserter(ranks));
   for (std::size_t r = 0; r < ranks.size(); ++r) ranks[r].rank = static_cast<int>(r) + 1;
   solution.solutions = std::move(ranks);
   solution.stats.nodes += ranker.nodes();

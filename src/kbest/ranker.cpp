@@ -243,14 +243,18 @@ void Ranker::append(std::vector<std::vector<ArcId>> found) {
   for (std::size_t r = 0; r < listed_.size(); ++r) listed_[r].rank = static_cast<int>(r) + 1;
 }
 
-std::vector<RankedSolution> Ranker::unlisted(std::size_t count, const core::Deadline& deadline) {
+std::vector<RankedSolution> Ranker::unlisted(std::size_t skipped,
+                                             std::size_t count,
+                                             const core::Deadline& deadline) {
   std::vector<RankedSolution> found;
   if (!look(count, deadline)) return found;
+  std::size_t seen = 0;
   for (std::size_t n = 0; n < neighbours_.size() && found.size() < count; ++n) {
     if (n == num_sorted_) sort_neighbours(n + count);
     std::vector<ArcId> arcs = view_->arcs_of(neighbours_[n]);
     std::sort(arcs.begin(), arcs.end());
-    if (!is_listed(arcs)) found.push_back(view_->solution_of(std::move(arcs)));
+    if (is_listed(arcs) || seen++ < skipped) continue;
+    found.push_back(view_->solution_of(std::move(arcs)));
   }
   sort_by_cost(found);
   return found;

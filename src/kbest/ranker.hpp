@@ -44,9 +44,11 @@ class Ranker {
   /// Searched since the beginning.
   std::int64_t nodes() const { return nodes_; }
 
-  /// The best `count` of the neighbours of the best solution (SlackView) that are not listed: none
-  /// where the deadline leaves no time to look for them.
-  std::vector<RankedSolution> unlisted(std::size_t count, const core::Deadline& deadline);
+  /// The neighbours of the best solution (SlackView) that are not listed, the best `count` but for
+  /// the first `skipped`: none where the deadline leaves no time to look for them.
+  std::vector<RankedSolution> unlisted(std::size_t skipped,
+                                       std::size_t count,
+                                       const core::Deadline& deadline);
 
  private:
   bool look(std::size_t planned, const core::Deadline& deadline);

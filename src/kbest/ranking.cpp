@@ -42,8 +42,10 @@ class Ranking::State {
   Status status() const { return status_; }
 
   bool next(RankedSolution& next, const Options& options) {
-    if (given_ == num_found() && !find(options)) return false;
-    next = given_ < num_listed() ? ranker_->listed()[given_] : others_[given_ - num_listed()];
+    if (!has_next() && !find(options)) return false;
+    next = given_ == 0             ? solution_.solutions.front()
+           : given_ < num_listed() ? ranker_->listed()[given_]
+                                   : others_[given_ - num_listed()];
     next.rank = static_cast<int>(++given_);
     status_ = solution_.status;
     return true;
@@ -52,16 +54,14 @@ class Ranking::State {
   std::vector<RankedSolution> at_hand(std::size_t count) {
     std::vector<RankedSolution> found;
     if (!ranker_) return found;
-    const std::vector<RankedSolution>& listed = ranker_->listed();
-    for (std::size_t r = given_; r < listed.size() && found.size() < count; ++r)
-      found.push_back(listed[r]);
-    if (found.size() < count && !ranker_->has_all()) {
-      std::vector<RankedSolution> more = ranker_->unlisted(count - found.size(), {});
-      // Looking for them lists the best one, if nothing was listed yet.
-      if (found.empty() && given_ == 0 && !listed.empty()) found.push_back(listed.front());
-      std::move(more.begin(), more.end(), std::back_inserter(found));
-      if (found.size() > count) found.resize(count);
-    }
+    ranker_->list(1, kFirstPlanned, {});  // lists the best one, if nothing was listed yet
+    const auto add = [&](const std::vector<RankedSolution>& from, std::size_t first) {
+      for (std::size_t r = first; r < from.size() && found.size() < count; ++r)
+        found.push_back(from[r]);
+    };
+    add(ranker_->listed(), given_);
+    add(others_, std::max(given_, num_listed()) - num_listed());
+    add(ranker_->unlisted(others_.size(), count - found.size(), {}), 0);
     for (std::size_t r = 0; r < found.size(); ++r) {
       found[r].rank = static_cast<int>(given_ + r) + 1;
       found[r].proven = false;
@@ -70,8 +70,13 @@ class Ranking::State {
   }
 
  private:
-  std::size_t num_listed() const { return ranker_ && !is_open() ? ranker_->listed().size() : 0; }
-  std::size_t num_found() const { return num_listed() + others_.size(); }
+  std::size_t num_listed() const { return ranker_ ? ranker_->listed().size() : 0; }
+
+  // It is found already.
+  bool has_next() const {
+    if (is_open() || !ranker_) return false;
+    return given_ == 0 || given_ < num_listed() + others_.size();
+  }
 
   // Not solved, or not to the end.
   bool is_open() const { return !solution_.proven && is_limit(solution_.status); }
@@ -89,6 +94,7 @@ class Ranking::State {
     }
     status_ = solution_.status;
     if (!ranker_ || is_open()) return false;
+    if (has_next()) return true;
     pipeline::Supervision supervision(kbest::ranking_progress(solution_, options.progress),
                                       options.stop,
                                       options.time_limit_s - seconds);
@@ -103,9 +109,10 @@ class Ranking::State {
     const std::size_t planned = std::max(kFirstPlanned, 2 * given_);
     const std::size_t enough = solution_.proven ? given_ + 1 : 1;
     const bool is_whole = ranker_->list(enough, planned, limits);
-    if (!solution_.proven && is_whole && given_ > 0)
-      others_ = ranker_->unlisted(planned, limits.deadline);
-    if (given_ < num_found()) return true;
+    if (!solution_.proven && is_whole)
+      std::ranges::move(ranker_->unlisted(others_.size(), planned, limits.deadline),
+                        std::back_inserter(others_));
+    if (has_next()) return true;
     if (!is_whole || limits.deadline.reached()) status_ = limit_of(limits.deadline);
     return false;
   }
