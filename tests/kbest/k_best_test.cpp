@@ -13,6 +13,7 @@
 
 #include "cost_checks.hpp"
 #include "nda/check.hpp"
+#include "nda/generate.hpp"
 #include "nda/solve.hpp"
 #include "support/random_problems.hpp"
 
@@ -88,6 +89,67 @@ TEST(KBest, HasNothingToRankWhereThereIsNoSolution) {
   const Solution solution = solve_k_best(std::move(builder).build(), 5);
   EXPECT_EQ(solution.status, Status::kInfeasible);
   EXPECT_THAT(solution.solutions, IsEmpty());
+}
+
+// Without the arcs that `drop` says.
+template <typename Drop>
+Problem without(const Problem& problem, Drop&& drop) {
+  ProblemBuilder builder({problem.sizes().begin(), problem.sizes().end()});
+  for (std::size_t a = 0; a < problem.num_arcs(); ++a) {
+    if (!drop(problem.arc(a))) builder.add_arc(problem.arc(a), problem.costs()[a]);
+  }
+  for (int d = 0; d < problem.num_dimensions(); ++d) {
+    for (Index i = 1; i <= problem.size(d); ++i) {
+      std::vector<Index> tuple(problem.sizes().size(), 0);
+      tuple[static_cast<std::size_t>(d)] = i;
+      builder.add_arc(tuple, problem.singleton_costs(d)[i]);
+    }
+  }
+  return std::move(builder).build();
+}
+
+// Of a problem whose indices must all be used, by solving it anew for every arc of every rank
+// (Murty 1968): what was not solved by ranking tells what it should have found.
+std::vector<double> costs_by_murty(const Problem& problem, std::size_t k) {
+  std::vector<std::pair<Problem, Solution>> open;
+  std::vector<double> costs;
+  open.emplace_back(problem, solve(problem));
+  while (costs.size() < k && !open.empty()) {
+    const auto least = std::min_element(open.begin(), open.end(), [](const auto& a, const auto& b) {
+      return a.second.cost < b.second.cost;
+    });
+    Problem rest = least->first;
+    const Solution best = least->second;
+    open.erase(least);
+    costs.push_back(best.cost);
+    for (const std::vector<Index>& arc : best.solutions.front().arcs) {
+      Problem child = without(rest, [&](const auto& other) { return other == arc; });
+      Solution solution = solve(child);
+      EXPECT_TRUE(solution.proven || solution.status == Status::kInfeasible);
+      if (solution.proven) open.emplace_back(std::move(child), std::move(solution));
+      rest = without(rest, [&](const auto& other) {
+        bool shares = false;
+        for (std::size_t d = 0; d < arc.size(); ++d) shares = shares || other[d] == arc[d];
+        return shares && other != arc;
+      });
+    }
+  }
+  return costs;
+}
+
+// So hard that cuts tighten what is ranked.
+TEST(KBest, AgreesWithMurtyWhereCutsAreNeeded) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE(seed);
+    Map3Options map3;
+    map3.size = 13;
+    map3.seed = seed;
+    const Problem problem = generate_map3(map3).problem;
+    const Solution solution = solve_k_best(problem, 15);
+    EXPECT_EQ(num_proven(solution), 15u);
+    expect_sound(problem, solution);
+    expect_costs(problem, costs_by_murty(problem, 15), 15, costs_of(solution));
+  }
 }
 
 // Where nothing is proven, what differs by one arc follows, without a claim.
