@@ -90,6 +90,12 @@ class SlackMoves {
   /// What the search does besides.
   void add_work(std::size_t work) { work_ += static_cast<double>(work); }
 
+  /// By how much, at least, whatever was left out exceeded the budget: no packing that was pruned
+  /// for its slack has less than the first budget and that.
+  double excess() const { return excess_; }
+  /// The search itself leaves something out that exceeds the budget by so much.
+  void leave_out(double excess) { excess_ = std::min(excess_, excess); }
+
   /// Settles, ascends and forces until nothing moves, from nothing spent and nothing forced.
   /// Returns false where the budget is not kept or a limit strikes, also that of the depth.
   [[gnu::noinline]] bool tighten(SlackNode& here, double& spent, double budget, bool is_too_deep) {
@@ -152,7 +158,7 @@ class SlackMoves {
                               double budget,
                               SlackNode& next) {
     copy_if(here.arcs, next.arcs, [&](const OpenArc& other) {
-      return other.reduced < budget && fits(other.arc);
+      return affords(budget, other.reduced) && fits(other.arc);
     });
     next.rows = here.rows;
     for (OpenRow& row : next.rows) row.left -= std::min(row.left, occupied_[row.row]);
@@ -194,6 +200,13 @@ class SlackMoves {
     return free_rows_ == FreeRows::kKeep && row < problem_.num_indices();
   }
 
+  // Whether a budget pays for so much slack; else that is left out.
+  bool affords(double budget, double slack) {
+    if (slack < budget) return true;
+    leave_out(slack - budget);
+    return false;
+  }
+
   // Counts a node; looks at the limits.
   bool is_stopped() {
     if (nodes_ >= limits_.max_nodes || work_ > limits_.max_work) return stopped_ = true;
@@ -209,13 +222,13 @@ class SlackMoves {
   // Returns whether the budget is kept.
   [[gnu::noinline]] bool settle(SlackNode& here, double& spent, double budget) {
     for (bool again = true; again;) {
-      if (!(spent < budget)) return false;
+      if (!affords(budget, spent)) return false;
       count(here, budget - spent);
       again = false;
       for (OpenRow& row : here.rows) {
         if (open_uses_[row.row].count >= row.left) continue;
         spent += (row.left - open_uses_[row.row].count) * row.price;
-        if (!(spent < budget)) return false;
+        if (!affords(budget, spent)) return false;
         row.left = open_uses_[row.row].count;
         again = true;
       }
@@ -240,7 +253,7 @@ class SlackMoves {
       if (!(spent < budget)) break;
     }
     std::erase_if(here.rows, [&](const OpenRow& row) { return row.price <= 0 && !keeps(row.row); });
-    return spent < budget;
+    return affords(budget, spent);
   }
 
   // Takes arcs that are the only use of a row: the first one where there are few such rows, as the
@@ -253,10 +266,10 @@ class SlackMoves {
     const std::size_t before = here.forced.size();
     if (num_rows <= kFewForced) {
       const OpenRow row = narrowest(here, budget - spent);
-      if (forces(row)) force(here, row, spent);
+      if (forces(row)) force(here, row, budget, spent);
     } else {
       for (const OpenRow& row : here.rows) {
-        if (forces(row)) force(here, row, spent);
+        if (forces(row)) force(here, row, budget, spent);
       }
     }
     const auto forced = std::span(here.forced).subspan(before);
@@ -286,7 +299,7 @@ class SlackMoves {
       open_uses_[row.row] = {};
     }
     const std::size_t before = here.arcs.size();
-    std::erase_if(here.arcs, [&](const OpenArc& arc) { return !(arc.reduced < left); });
+    std::erase_if(here.arcs, [&](const OpenArc& arc) { return !affords(left, arc.reduced); });
     here.may_split = here.may_split || here.arcs.size() < before;
     std::size_t work = here.rows.size();
     for (std::uint32_t i = 0; i < here.arcs.size(); ++i) {
@@ -333,10 +346,11 @@ class SlackMoves {
     }
   }
 
-  // Occupies the rows of a row's only arc, if it fits.
-  void force(SlackNode& here, const OpenRow& row, double& spent) {
+  // Occupies the rows of a row's only arc, if it fits: leaving it is beyond the budget.
+  void force(SlackNode& here, const OpenRow& row, double budget, double& spent) {
     const OpenArc only = only_arc(here, row.row);
     if (!fits(only.arc)) return;
+    affords(budget - spent, row.left * row.price);
     occupy(only.arc);
     here.forced.push_back(only.arc);
     spent += only.reduced;
@@ -405,6 +419,7 @@ class SlackMoves {
   double work_ = 0;
   double work_at_look_ = 0;
   bool stopped_ = false;
+  double excess_ = kInfinity;
 };
 
 }  // namespace nda::bnb

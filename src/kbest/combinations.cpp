@@ -39,7 +39,8 @@ RankedList combine_ranked(const RankedList& a,
                           const RankedList& b,
                           std::size_t k,
                           double budget,
-                          Combinations& combinations) {
+                          Combinations& combinations,
+                          double* left_out) {
   struct Sum {
     double slack;
     std::size_t i;
@@ -53,7 +54,11 @@ RankedList combine_ranked(const RankedList& a,
   const auto enter = [&](std::size_t i, std::size_t j) {
     if (i >= a.size() || j >= b.size()) return;
     const double slack = a[i].slack + b[j].slack;
-    if (slack < budget) next.push({slack, i, j});
+    if (slack < budget) {
+      next.push({slack, i, j});
+    } else if (left_out != nullptr) {
+      *left_out = std::min(*left_out, slack);
+    }
   };
   RankedList sums;
   enter(0, 0);

@@ -50,11 +50,14 @@ using RankedList = std::vector<Ranked>;
 void merge_ranked(RankedList& list, const RankedList& more, std::size_t k);
 
 /// One of each list, in all ways: the k least sums below `budget`, ascending.  Lazy: O(k log k).
+/// @param left_out  lowered to the least sum beyond the budget that was met; may be null.  If there
+///                  are fewer than k below it, that is the least of all beyond it.
 /// Source: the frontier of Lawler (1972) for sums of two lists.
 RankedList combine_ranked(const RankedList& a,
                           const RankedList& b,
                           std::size_t k,
                           double budget,
-                          Combinations& combinations);
+                          Combinations& combinations,
+                          double* left_out = nullptr);
 
 }  // namespace nda::kbest

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -14,8 +12,10 @@
 #include "kbest/packing_buffer.hpp"
 #include "kbest/packing_sums.hpp"
 #include "kbest/partial_branch_and_bound.hpp"
-#include "solve/monitor.hpp"
+#include "kbest/ranker.hpp"
+#include "kbest/ranking_progress.hpp"
 #include "solve/solutions.hpp"
+#include "solve/supervision.hpp"
 
 // The paper's solver has one component and one solution buffer.  Here every component of the
 // problem has its own, which begins with what solve() found there, and the best sums of one packing
@@ -38,12 +38,11 @@ class NearOptimal {
         solution_(solution),
         k_(k),
         options_(options),
-        forward_stop_(options.stop, pipeline::StopForwarder{stop_}),
-        monitor_(options.progress, stop_),
-        deadline_(
-            options.time_limit_s - solution.stats.solve_seconds, stop_.get_token(), &heartbeat_),
-        shift_(core::make_shift(problem, deadline_)),
-        sums_(k) {
+        supervision_(ranking_progress(solution, options.progress),
+                     options.stop,
+                     options.time_limit_s - solution.stats.solve_seconds),
+        deadline_(supervision_.deadline()),
+        shift_(core::make_shift(problem, deadline_)) {
     for (const std::vector<Index>& tuple : solution.solutions.front().arcs)
       best_.push_back(static_cast<ArcId>(*problem.find(tuple)));
   }
@@ -52,7 +51,6 @@ class NearOptimal {
     const decompose::Partition partition = decompose::partition(problem_, shift_, deadline_);
     for (std::size_t c = 0; c < partition.num_components() && !deadline_.reached(); ++c) {
       lists_.push_back(rank(cutter_.cut(problem_, shift_, partition.component(c)), c));
-      sums_.add(lists_.back());
     }
     if (lists_.size() == partition.num_components() && !deadline_.reached()) adopt(solutions());
     solution_.stats.solve_seconds += deadline_.seconds();
@@ -90,17 +88,16 @@ class NearOptimal {
 
   std::vector<RankedSolution> solutions() const {
     std::vector<RankedSolution> ranks;
-    for (std::size_t n = 0; n < sums_.size(); ++n) {
+    for (const PackingChoice& choice : cheapest_choices(lists_, k_)) {
       std::vector<ArcId> arcs;
-      for (const auto& [c, i] : sums_.choice(n))
+      for (const auto& [c, i] : choice)
         arcs.insert(arcs.end(), lists_[c][i].arcs.begin(), lists_[c][i].arcs.end());
       std::sort(arcs.begin(), arcs.end());
       const pipeline::Coverage covered = pipeline::coverage(problem_, arcs);
       RankedSolution next = pipeline::make_solution(problem_, arcs, covered);
       if (next.cost < kInfinity) ranks.push_back(std::move(next));
     }
-    std::stable_sort(
-        ranks.begin(), ranks.end(), [](const auto& a, const auto& b) { return a.cost < b.cost; });
+    sort_by_cost(ranks);
     for (std::size_t r = 0; r < ranks.size(); ++r) ranks[r].rank = static_cast<int>(r) + 1;
     return ranks;
   }
@@ -123,16 +120,12 @@ class NearOptimal {
   Solution& solution_;
   const std::size_t k_;
   const Options& options_;
-  std::stop_source stop_;
-  std::stop_callback<pipeline::StopForwarder> forward_stop_;
-  pipeline::Monitor monitor_;
-  const std::function<void()> heartbeat_ = [this] { monitor_.heartbeat(); };
-  const core::Deadline deadline_;
+  pipeline::Supervision supervision_;
+  const core::Deadline& deadline_;
   const core::Shift shift_;
   core::Cutter cutter_;
   std::vector<ArcId> best_;                  // of the solution, ascending
   std::vector<std::vector<Packing>> lists_;  // of each component
-  PackingSums sums_;
 };
 
 }  // namespace

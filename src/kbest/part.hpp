@@ -2,48 +2,82 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
+#include "bnb/component_slack.hpp"
 #include "bnb/slack_search.hpp"
 #include "core/clock.hpp"
 #include "core/component.hpp"
 #include "kbest/combinations.hpp"
-#include "kbest/slack_ranking.hpp"
 #include "kbest/slack_view.hpp"
 
 namespace nda::kbest {
 
 /// A part of a problem that shares no index with the rest, with the slack of its arcs and indices,
-/// and what the best solution has of it.
+/// what the best solution has of it, and its packings as far as they were ranked.
 class Part {
  public:
   /// @param component  cut out of the problem of `view`, which has the prices.
-  Part(core::Component component, const SlackView& view);
+  /// @param grid       spacing of the costs (core::CostGrid), 0 if there is none.
+  Part(core::Component component, const SlackView& view, double grid);
 
-  /// Looks for multipliers that leave the best solution less slack, where it has much.
-  /// Not where singletons are forbidden.
-  void tighten(const core::Deadline& deadline);
+  /// Of the problem, ascending.
+  std::span<const core::ArcId> arcs() const { return component_.arc_origin; }
+  /// Ranks the packings that cost no more than `reach` above the best solution's, or the k best of
+  /// them; nothing is searched where it is known that there are no others.  Returns whether the
+  /// limits let it; `nodes` grows by those searched.
+  bool rank(double reach,
+            std::size_t k,
+            const bnb::SlackLimits& limits,
+            Combinations& combinations,
+            std::int64_t& nodes);
 
-  /// Of the best solution.
-  double least() const { return least_; }
-  /// The sum of all finite terms of slack.
-  double all() const;
-
-  /// The k packings of least slack that exceed the best solution's by less than `reach`.
-  SlackRanking rank(double reach,
-                    std::size_t k,
-                    const bnb::SlackLimits& limits,
-                    Combinations& combinations) const;
+  /// The packings found, by what they cost more than the best solution's, ascending: all those
+  /// within the last reach, or the k best of them, and maybe others.
+  const RankedList& list() const { return list_; }
+  /// None that is not listed costs less than this above the best solution's.
+  double reached() const { return reached_; }
 
  private:
-  double slack_of_best() const;
+  // One way to write costs as slack.
+  struct Form {
+    bnb::ComponentSlack slack{bnb::SlackProblem(0), {}};
+    double reach = kInfinity;  // packings of other arcs cost more above the best
+    double least = 0;          // slack of the best solution
+    double error = 0;          // of rounding
+  };
+  struct Found {
+    RankedList list;
+    double reached;
+    bool complete;
+    std::int64_t nodes;
+  };
+
+  void finish(Form& form) const;
+  bool is_ranked(double reach, std::size_t k) const;
+  const Form& form(double reach) const;
+  void tighten(double reach, const core::Deadline& deadline);
+  void keep(Found found, std::size_t k);
+  Found search(const Form& form,
+               double reach,
+               std::size_t k,
+               const bnb::SlackLimits& limits,
+               Combinations& combinations) const;
+
+  double on_grid(double rise) const;
+  double useful(double within, double most) const;
 
   core::Component component_;
-  std::vector<double> reduced_;    // [arc]
-  std::vector<double> price_;      // [slot]
+  double grid_;
   std::vector<core::ArcId> best_;  // arcs of the best solution
-  double error_;                   // of rounding
-  double least_;
+  double largest_ = 0;             // cost or multiplier, in size
+  Form first_;                     // by the multipliers of the best solution
+  std::optional<Form> tight_;      // where that led to long searches
+  RankedList list_;
+  std::size_t listed_k_ = 0;  // of how many the list is
+  double reached_ = 0;
 };
 
 /// What lies above that is beyond a slack, whatever rounding did.

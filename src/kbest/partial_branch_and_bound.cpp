@@ -138,7 +138,6 @@ std::vector<Packing> PartialBranchAndBound::follow(const Stage& stage,
     ++work_.cut;
     return {};
   }
-  PackingSums sums(k_);
   std::vector<std::vector<Packing>> lists;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     lists.push_back(rank(parts[p],
@@ -147,12 +146,11 @@ std::vector<Packing> PartialBranchAndBound::follow(const Stage& stage,
                          cutoff - (lower - inner[p].lower)));
     if (lists.back().empty()) return {};
     lower += lists.back().front().cost - inner[p].lower;
-    sums.add(lists.back());
   }
   std::vector<Packing> packings;
-  for (std::size_t n = 0; n < sums.size(); ++n) {
+  for (const PackingChoice& choice : cheapest_choices(lists, k_)) {
     std::vector<ArcId> arcs;
-    for (const auto& [p, i] : sums.choice(n)) {
+    for (const auto& [p, i] : choice) {
       for (const ArcId a : lists[p][i].arcs) arcs.push_back(parts[p].arc_origin[a]);
     }
     packings.push_back(recovery::recovered_packing(stage.component, problem, arcs));

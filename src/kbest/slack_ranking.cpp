@@ -18,6 +18,10 @@
 //   The budget of a node falls to the k-th best of its list: what one part contributes to the k
 //   best of the whole is among the k best of the part.
 //
+// Whatever is left out for its slack exceeds the budget of its node by something; the least such
+// excess says from where on there may be more.  For the first budget lacks of the node's what is
+// spent elsewhere in any case; where it fell as a list was full, k others are no worse.
+//
 // That is ranking by AND/OR search; Marinescu & Dechter have it for graphical models.  Murty's
 // partition (1968) instead solves a problem anew for every rank.
 
@@ -31,14 +35,14 @@ using bnb::SlackNode;
 
 constexpr std::size_t kMostDepth = 20000;
 
-class Ranking {
+class Search {
  public:
-  Ranking(const bnb::SlackProblem& problem,
-          double budget,
-          std::size_t k,
-          const bnb::SlackLimits& limits,
-          std::span<const std::uint32_t> names,
-          Combinations& combinations)
+  Search(const bnb::SlackProblem& problem,
+         double budget,
+         std::size_t k,
+         const bnb::SlackLimits& limits,
+         std::span<const std::uint32_t> names,
+         Combinations& combinations)
       : problem_(problem),
         k_(k),
         names_(names),
@@ -51,6 +55,7 @@ class Ranking {
     result.packings = solve(0, budget);
     result.complete = !moves_.stopped();
     result.nodes = moves_.nodes();
+    result.next = budget + moves_.excess();
     return result;
   }
 
@@ -58,6 +63,13 @@ class Ranking {
   // What a list may still take.
   double limit(const RankedList& list, double budget) const {
     return list.size() < k_ ? budget : std::min(budget, list.back().slack);
+  }
+
+  // Whether anything is left of a budget; else what wanted it is left out.
+  bool is_positive(double left) {
+    if (left > 0) return true;
+    moves_.leave_out(-left);
+    return false;
   }
 
   // The k least below the budget.
@@ -92,7 +104,9 @@ class Ranking {
       here.parts.copy(p, here.arcs, here.rows, part.arcs, part.rows);
       part.may_split = false;
       const RankedList found = solve(depth + 1, budget - list.front().slack);
-      list = combine_ranked(list, found, k_, budget, combinations_);
+      double left_out = kInfinity;
+      list = combine_ranked(list, found, k_, budget, combinations_, &left_out);
+      moves_.leave_out(left_out - budget);
       moves_.add_work(list.size());
     }
     return list;
@@ -105,7 +119,7 @@ class Ranking {
     RankedList list;
     for (const OpenArc choice : here.choices) {
       const double left = limit(list, budget) - choice.reduced;
-      if (moves_.stopped() || !(left > 0)) break;
+      if (moves_.stopped() || !is_positive(left)) break;
       moves_.occupy(choice.arc);
       moves_.take(here, std::span(&choice.arc, 1), left, nodes_[depth + 1]);
       merge(list, solve(depth + 1, left), choice.reduced, combinations_.single(names_[choice.arc]));
@@ -114,7 +128,7 @@ class Ranking {
     }
     const double price = row.left * row.price;
     const double left = limit(list, budget) - price;
-    if (moves_.stopped() || !(left > 0)) return list;
+    if (moves_.stopped() || !is_positive(left)) return list;
     moves_.leave(here, row.row, nodes_[depth + 1]);
     merge(list, solve(depth + 1, left), price, kNothing);
     return list;
@@ -142,7 +156,7 @@ SlackRanking rank_slack(const bnb::SlackProblem& problem,
                         const bnb::SlackLimits& limits,
                         std::span<const std::uint32_t> names,
                         Combinations& combinations) {
-  return Ranking(problem, budget, k, limits, names, combinations).run(budget);
+  return Search(problem, budget, k, limits, names, combinations).run(budget);
 }
 
 }  // namespace nda::kbest

@@ -12,6 +12,8 @@ namespace nda::kbest {
 struct SlackRanking {
   RankedList packings;    ///< of least slack, ascending
   bool complete = false;  ///< these are the k best below the budget, or all of them
+  /// If complete: no packing that is not listed has less slack than this, or than the k-th one.
+  double next = 0;
   std::int64_t nodes = 0;
 };
 

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "core/clock.hpp"
 #include "core/component.hpp"
+#include "core/shift.hpp"
 #include "nda/problem.hpp"
 #include "nda/solution.hpp"
 
@@ -14,10 +16,15 @@ namespace nda::kbest {
 /// reduced costs of the arcs used and prices of the indices left alone, all >= 0.
 class SlackView {
  public:
-  /// Of `solution` the first entry and the multipliers count.  Cost: O(A N).
-  SlackView(const Problem& problem, const Solution& solution);
+  static constexpr core::ArcId kNone = ~core::ArcId{0};
+
+  /// Of `solution` the first entry and the multipliers count.  The problem must outlive it.
+  /// Good for nothing if the deadline strikes.  Cost: O(A N).
+  SlackView(const Problem& problem, const Solution& solution, const core::Deadline& deadline);
 
   const Problem& problem() const { return problem_; }
+  /// What multipliers charge indices, as singletons do.
+  const core::Shift& multipliers() const { return multipliers_; }
   double reduced(core::ArcId a) const { return reduced_[a]; }
   /// Of leaving an index alone, beyond its multiplier; +inf where that is forbidden.
   double price(std::size_t slot) const { return price_[slot]; }
@@ -29,22 +36,22 @@ class SlackView {
   double slack() const { return slack_; }
 
   /// A neighbour of the best solution: it has one arc more, without those that exclude it, or one
-  /// less.
+  /// less; or two more, where the second covers all that the first laid bare.
   struct Neighbour {
-    double rise;      ///< of the cost
-    core::ArcId arc;  ///< put in, or taken out
+    double rise;                 ///< of the cost
+    core::ArcId arc;             ///< put in, or taken out
+    core::ArcId second = kNone;  ///< put in as well
   };
-  /// The `most` cheapest neighbours, cheapest first, those before the deadline.  All are different.
-  /// Cost: O(A N^2).
-  std::vector<Neighbour> neighbours(std::size_t most, const core::Deadline& deadline) const;
+  /// All of one arc that leave no index alone that must not be, and of those with two arcs some
+  /// that may be among the `wanted` cheapest; in no order.  All are different.  Cut short by the
+  /// deadline.  Cost: O(A N^2 + wanted N log A).
+  std::vector<Neighbour> neighbours(std::size_t wanted, const core::Deadline& deadline) const;
   std::vector<core::ArcId> arcs_of(const Neighbour& neighbour) const;
 
   /// Its cost is recomputed from the arcs.
   RankedSolution solution_of(std::vector<core::ArcId> arcs) const;
 
  private:
-  static constexpr core::ArcId kNone = ~core::ArcId{0};
-
   Index index(std::size_t k, core::ArcId a) const {
     return problem_.indices(static_cast<int>(k))[a];
   }
@@ -71,13 +78,19 @@ class SlackView {
     });
   }
   void price_indices(const Solution& solution);
-  void reduce_costs(const Solution& solution);
+  void reduce_costs(const core::Deadline& deadline);
   void take(const RankedSolution& best);
   double rise(core::ArcId a) const;
   double removal(core::ArcId b, core::ArcId next) const;
+  void add_pairs(std::size_t wanted,
+                 const core::Deadline& deadline,
+                 std::vector<Neighbour>& found) const;
+  std::optional<Neighbour> complete(core::ArcId a) const;
+  std::vector<Index> laid_bare(core::ArcId a) const;
   bool is_best(core::ArcId a) const;
 
   const Problem& problem_;
+  core::Shift multipliers_;
   std::vector<std::size_t> offset_;  // [k]: first slot, that of the dummy
   std::vector<double> price_;        // [slot]
   std::vector<double> reduced_;      // [arc]

@@ -10,13 +10,6 @@
 
 namespace nda::pipeline {
 
-/// Passes a request to stop on, for std::stop_callback: whoever watches `source` need not know who
-/// else may ask.
-struct StopForwarder {
-  std::stop_source source;
-  void operator()() { source.request_stop(); }
-};
-
 /// Adds up what the components report and tells the user; safe to call from several threads.
 class Monitor {
  public:

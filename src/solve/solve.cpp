@@ -25,6 +25,7 @@
 #include "solve/settling.hpp"
 #include "solve/singletons.hpp"
 #include "solve/solutions.hpp"
+#include "solve/supervision.hpp"
 
 // The pipeline: shift, split, solve the parts in two rounds, merge.  The first round gives every
 // component a solution and a bound, the second works on those that are not yet closed.  Components
@@ -71,9 +72,7 @@ class Pipeline {
       : problem_(problem),
         options_(options),
         modest_(modest),
-        forward_stop_(options.stop, pipeline::StopForwarder{stop_}),
-        monitor_(options.progress, stop_),
-        deadline_(work_limit(), stop_.get_token(), &heartbeat_) {}
+        supervision_(options.progress, options.stop, work_limit()) {}
 
   Solution run() {
     const double largest = pipeline::largest_cost(problem_);
@@ -106,7 +105,7 @@ class Pipeline {
     partition_ = decompose::partition(problem_, shift_, deadline_);
     if (deadline_.reached()) return;
     parts_.resize(partition_.num_components());
-    deadline_ = deadline_.earlier(kMergeSecondsPerPart * static_cast<double>(parts_.size()));
+    supervision_.shorten(kMergeSecondsPerPart * static_cast<double>(parts_.size()));
     monitor_.begin(shift_.constant, parts_.size(), num_infeasible());
     const auto workers = static_cast<std::size_t>(pipeline::num_workers(options_.num_threads));
     std::vector<core::Cutter> cutters(workers);
@@ -450,11 +449,9 @@ class Pipeline {
   const Problem& problem_;
   const Options& options_;
   const bool modest_;
-  std::stop_source stop_;
-  std::stop_callback<pipeline::StopForwarder> forward_stop_;
-  Monitor monitor_;
-  const std::function<void()> heartbeat_ = [this] { monitor_.heartbeat(); };
-  core::Deadline deadline_;
+  pipeline::Supervision supervision_;
+  const core::Deadline& deadline_ = supervision_.deadline();
+  Monitor& monitor_ = supervision_.monitor();
   core::Shift shift_;
   core::CostGrid grid_;
   decompose::Partition partition_;

@@ -34,6 +34,12 @@ TEST(RankSlack, AgreesWithBruteForce) {
         const auto within = static_cast<std::size_t>(
             std::lower_bound(all.begin(), all.end(), budget) - all.begin());
         ASSERT_EQ(found.packings.size(), std::min(k, within));
+        if (within < all.size() && found.packings.size() < k) {
+          ASSERT_GE(found.next, budget);
+          ASSERT_LE(found.next, all[within] + 1e-9);
+        } else if (found.packings.size() < k) {
+          ASSERT_EQ(all.size(), within);
+        }
         std::set<std::vector<std::uint32_t>> different;
         for (std::size_t r = 0; r < found.packings.size(); ++r) {
           std::vector<std::uint32_t> arcs = combinations.arcs(found.packings[r].arcs);

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+#include "nda/problem.hpp"
+#include "support/brute_force.hpp"
+
+namespace nda {
+
+/// The costs of all solutions, ascending; nothing where there are more than 5000.
+inline std::optional<std::vector<double>> all_costs(const Problem& problem) {
+  try {
+    return support::all_costs(problem, 5000);
+  } catch (const std::length_error&) {
+    return std::nullopt;
+  }
+}
+
+/// The k first of all, or all, no more than rounding apart for sums of costs of that size.
+inline void expect_costs(const Problem& problem,
+                         const std::vector<double>& all,
+                         std::size_t k,
+                         const std::vector<double>& costs) {
+  ASSERT_EQ(costs.size(), std::min(k, all.size()));
+  double size = 0;
+  for (const double cost : problem.costs()) size += std::abs(cost);
+  for (int d = 0; d < problem.num_dimensions(); ++d) {
+    for (const double cost : problem.singleton_costs(d))
+      size += cost < kInfinity ? std::abs(cost) : 0;
+  }
+  for (std::size_t r = 0; r < costs.size(); ++r)
+    EXPECT_NEAR(costs[r], all[r], 1e-9 * size) << "rank " << r + 1;
+}
+
+}  // namespace nda
