@@ -57,6 +57,10 @@ class ExchangeDraft {
   void measure();
   void cut(double spare);
   void shift();
+  void count_ways();
+  void take_out(std::uint32_t member);
+  void list_candidates(bool keep_first);
+  void sort_members(bool keep_first);
 
   std::vector<Member> members_;
   std::vector<Exchange> exchanges_;
@@ -72,6 +76,11 @@ class ExchangeDraft {
   std::uint32_t free_column_ = kNone;  // that the cycle takes from outside
   std::uint32_t free_taker_ = kNone;
 
+  std::vector<std::uint32_t> source_start_;
+  std::vector<std::uint32_t> sources_;
+  std::vector<std::uint32_t> ways_in_;
+  std::vector<std::uint32_t> ways_out_;
+  std::vector<std::uint32_t> candidates_;
   std::vector<std::uint32_t> order_;
   std::vector<std::uint32_t> place_;
 };

@@ -151,6 +151,7 @@ void Ranking::judge_branches(std::uint32_t node) {
       entering_[exchange.target] = std::min(entering_[exchange.target], exchange.loss);
       if (exchange.target > n) leaving = std::min(leaving, exchange.loss);
     }
+    if (!graph.members[n].is_branch) continue;
     const double loss = nodes_[node].loss + leaving + entering_[n];
     if (loss <= reach_ && loss < kInfinity) {
       wait({loss, node, n, false});
