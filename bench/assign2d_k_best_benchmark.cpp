@@ -5,10 +5,13 @@
 //
 // FILE: see assign2d_instance.hpp.  Prints the microseconds of the best assignment alone (a solver
 // that has its memory), then a line for each K: how many assignments there were, the cost of the
-// last, and the microseconds for listing them from scratch, medians of about SECONDS.
+// last, the microseconds for listing them from scratch (medians of about SECONDS), and the most
+// memory that the process has had so far, in KiB.
 
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
+#include <string>
 
 #include "assign2d_instance.hpp"
 #include "median_time.hpp"
@@ -38,6 +41,15 @@ double time_of_best(const Instance& instance, double limit_s) {
       limit_s, [] {}, [&] { solver->solve(instance.view(), result); });
 }
 
+// Of this program alone, unlike what getrusage() says.
+long peak_memory_kib() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.rfind("VmHWM:", 0) == 0) return std::atol(line.c_str() + 6);
+  }
+  return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -53,7 +65,7 @@ int main(int argc, char** argv) {
     Listed listed;
     const double us = median_time(
         limit_s, [] {}, [&] { listed = list(instance, k); });
-    std::printf("%zu %.17g %.17g\n", listed.count, listed.last_cost, us);
+    std::printf("%zu %.17g %.17g %ld\n", listed.count, listed.last_cost, us, peak_memory_kib());
     std::fflush(stdout);
   }
   return 0;

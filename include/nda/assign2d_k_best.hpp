@@ -18,8 +18,8 @@ namespace nda {
 /// Two assignments differ if their sets of pairs do; what is unassigned follows.  Each comes once,
 /// equal costs in any order, always the same one.  An object is used by one thread at a time.
 ///
-/// Source: Murty (1968) with inherited duals and lazy subproblems (Miller, Stone & Cox 1997), on
-/// the pairs within reach only; docs/assign2d.md.
+/// Source: Murty (1968) with the inherited duals, lazy subproblems and order of the partition of
+/// Miller, Stone & Cox (1997), on what is within reach only; docs/assign2d.md.
 class Assign2dRanking {
  public:
   /// Copies the problem and checks nothing, as Assign2dSolver does (see validate()).  Solves
@@ -32,14 +32,14 @@ class Assign2dRanking {
   /// The next best assignment; false, and `result` left alone, if there is none (an infeasible
   /// problem has none at all).
   ///
-  /// Costs are those of the pairs and outside options, summed afresh; they never decrease by more
-  /// than the rounding of such sums.  The duals of the first prove that it is optimal; those of a
-  /// later one still sum up to its cost and are tight where it chose, but prove only that it is the
-  /// best of a subset of all assignments.
+  /// Its cost is that of its pairs and outside options, summed afresh; costs never decrease by more
+  /// than the rounding of such sums.  The duals are always those of the best assignment: they prove
+  /// the first, and what another one costs more is the sum of the reduced costs of its pairs and
+  /// outside options.
   ///
-  /// Cost: the first is one solve; each later one a few searches for a shortest path on the pairs
-  /// within reach, and O(rows + columns) to write it down.  What an assignment changes in the
-  /// one that it was got from is kept, so memory grows by that for each, not by the problem.
+  /// Cost: the first is one solve; each later one a few searches for a shortest cycle through what
+  /// can still change within reach, and O(rows + columns) to write it down.  Memory grows with each
+  /// by what can change, not by the problem.
   bool next(Assign2dResult& result);
 
  private:

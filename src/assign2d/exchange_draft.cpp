@@ -24,6 +24,8 @@ void ExchangeDraft::resize(std::uint32_t num_rows) {
   taker_.resize(num_rows + 1);
   former_.resize(num_rows + 1);
   gets_.resize(num_rows + 1);
+  ways_in_.resize(num_rows + 1);
+  ways_out_.resize(num_rows + 1);
   place_.resize(num_rows + 1);
 }
 
@@ -44,7 +46,7 @@ void ExchangeDraft::draw_best(const Assign2dProblem& problem, const PairPool& po
   for (std::uint32_t i = 0; i < num_rows; ++i) {
     const std::int32_t has = best.column_of_row[i];
     Member& member = members_[i];
-    member = {0, i, kNone, static_cast<std::uint32_t>(exchanges_.size()), 0};
+    member = {0, i, kNone, static_cast<std::uint32_t>(exchanges_.size()), 0, false};
     for (std::uint32_t k = pool.begin(i); k < pool.begin(i + 1); ++k) {
       const std::int32_t j = static_cast<std::int32_t>(pool.column(k));
       if (j == has) {
@@ -103,7 +105,7 @@ void ExchangeDraft::draw_member(const ExchangeGraph& graph,
   const Member& old = graph.members[member];
   const double moved = member == source ? 0 : search.potential(member);
   const double outside_moved = search.potential(outside);
-  Member drawn{0, old.row, gets_[member], static_cast<std::uint32_t>(exchanges_.size()), 0};
+  Member drawn{0, old.row, gets_[member], static_cast<std::uint32_t>(exchanges_.size()), 0, false};
   if (drawn.held != kNone && former_[member] != outside) {
     const std::uint32_t former = former_[member];
     drawn.drop =
@@ -169,6 +171,11 @@ void ExchangeDraft::cut(double spare) {
     const double loss = leaving_[n] + entering_[n];
     is_out_[n] = loss > spare || loss == kInfinity;
     if (is_out_[n]) beyond_ = std::min(beyond_, loss);
+    const double drop = members_[n].drop + leaving_[n];
+    if (!is_out_[n] && drop > spare) {
+      beyond_ = std::min(beyond_, drop);
+      members_[n].drop = kInfinity;
+    }
   }
   std::uint32_t kept = 0;
   for (std::uint32_t n = 0; n < outside(); ++n) {
@@ -213,16 +220,84 @@ void ExchangeDraft::tune(int rounds, double spare) {
   }
 }
 
-void ExchangeDraft::store(bool keep_first, ExchangeStore& store) {
-  order_.clear();
+// For each member, where exchanges to it come from, and how many ways in and out it has.
+void ExchangeDraft::count_ways() {
+  const std::uint32_t num_nodes = outside() + 1;
+  source_start_.assign(num_nodes + 2, 0);
+  sources_.resize(exchanges_.size());
   for (std::uint32_t n = 0; n < outside(); ++n) {
-    if (!is_out_[n]) order_.push_back(n);
+    ways_out_[n] = 0;
+    for (std::uint32_t k = members_[n].begin; k < members_[n].end; ++k) {
+      if (is_out_[exchanges_[k].target]) continue;
+      ++ways_out_[n];
+      ++source_start_[exchanges_[k].target + 2];
+    }
   }
-  const bool has_first = keep_first && !order_.empty() && order_[0] == 0;
-  std::sort(order_.begin() + has_first, order_.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const double loss_a = leaving_[a] + entering_[a], loss_b = leaving_[b] + entering_[b];
-    return loss_a != loss_b ? loss_a > loss_b : a < b;
-  });
+  for (std::uint32_t n = 0; n < num_nodes; ++n) source_start_[n + 2] += source_start_[n + 1];
+  for (std::uint32_t n = 0; n < outside(); ++n) {
+    for (std::uint32_t k = members_[n].begin; k < members_[n].end; ++k) {
+      if (!is_out_[exchanges_[k].target]) sources_[source_start_[exchanges_[k].target + 1]++] = n;
+    }
+  }
+  for (std::uint32_t n = 0; n < outside(); ++n) {
+    ways_in_[n] = source_start_[n + 1] - source_start_[n] + (members_[n].drop < kInfinity ? 1 : 0);
+  }
+}
+
+// Takes out a member, then all that have no way in or no way out any more; adds them to the order.
+void ExchangeDraft::take_out(std::uint32_t member) {
+  std::size_t next = order_.size();
+  const auto add = [&](std::uint32_t n) {
+    is_out_[n] = 1;
+    order_.push_back(n);
+  };
+  for (add(member); next < order_.size(); ++next) {
+    const std::uint32_t n = order_[next];
+    for (std::uint32_t k = members_[n].begin; k < members_[n].end; ++k) {
+      const std::uint32_t target = exchanges_[k].target;
+      if (!is_out_[target] && target != outside() && --ways_in_[target] == 0) add(target);
+    }
+    for (std::uint32_t k = source_start_[n]; k < source_start_[n + 1]; ++k) {
+      if (!is_out_[sources_[k]] && --ways_out_[sources_[k]] == 0) add(sources_[k]);
+    }
+  }
+}
+
+// Members by descending loss, so that the promising branches are small, the first one drawn in
+// front if so wished.
+void ExchangeDraft::list_candidates(bool keep_first) {
+  candidates_.clear();
+  for (std::uint32_t n = 0; n < outside(); ++n) {
+    if (!is_out_[n]) candidates_.push_back(n);
+  }
+  const bool has_first = keep_first && !candidates_.empty() && candidates_[0] == 0;
+  std::sort(
+      candidates_.begin() + has_first, candidates_.end(), [&](std::uint32_t a, std::uint32_t b) {
+        const double loss_a = leaving_[a] + entering_[a], loss_b = leaving_[b] + entering_[b];
+        return loss_a != loss_b ? loss_a > loss_b : a < b;
+      });
+}
+
+// Once a member keeps what it has, many others are in no cycle any more.  They follow it, so that
+// later branches are without them, and have no branch themselves.
+void ExchangeDraft::sort_members(bool keep_first) {
+  list_candidates(keep_first);
+  count_ways();
+  order_.clear();
+  for (const std::uint32_t n : candidates_) {
+    if (!is_out_[n] && (ways_in_[n] == 0 || ways_out_[n] == 0)) take_out(n);
+  }
+  order_.clear();
+  for (const std::uint32_t n : candidates_) {
+    if (is_out_[n]) continue;
+    members_[n].is_branch = true;
+    take_out(n);
+  }
+}
+
+void ExchangeDraft::store(bool keep_first, ExchangeStore& store) {
+  sort_members(keep_first);
+  std::fill_n(place_.begin(), outside(), kNone);
   for (std::uint32_t n = 0; n < order_.size(); ++n) place_[order_[n]] = n;
   place_[outside()] = static_cast<std::uint32_t>(order_.size());
   for (const std::uint32_t n : order_) {
@@ -230,8 +305,8 @@ void ExchangeDraft::store(bool keep_first, ExchangeStore& store) {
     member.begin = static_cast<std::uint32_t>(store.exchanges.size());
     for (std::uint32_t k = members_[n].begin; k < members_[n].end; ++k) {
       const Exchange& exchange = exchanges_[k];
-      if (is_out_[exchange.target]) continue;
-      store.exchanges.push_back({exchange.loss, exchange.pair, place_[exchange.target]});
+      const std::uint32_t target = place_[exchange.target];
+      if (target != kNone) store.exchanges.push_back({exchange.loss, exchange.pair, target});
     }
     member.end = static_cast<std::uint32_t>(store.exchanges.size());
     store.members.push_back(member);

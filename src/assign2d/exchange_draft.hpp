@@ -32,13 +32,13 @@ class ExchangeDraft {
   void tune(int rounds, double spare);
 
   /// Appends the graph to the store.  Its first member is the first one drawn, if `keep_first` and
-  /// it is still there, the others follow by descending loss.
+  /// it is still there; the other branches follow by descending loss, each with those members that
+  /// are in no cycle without it.
   void store(bool keep_first, ExchangeStore& store);
 
   /// All that has been left out loses at least so much.
   double beyond() const { return beyond_; }
-  /// What member n of the graph that draw_next() made took: pair of the pool or kNone; only of
-  /// those on the cycle this is news.
+  /// As drawn: of draw_next(), those of its graph from the source on.
   const std::vector<Member>& members() const { return members_; }
 
  private:
@@ -57,6 +57,10 @@ class ExchangeDraft {
   void measure();
   void cut(double spare);
   void shift();
+  void count_ways();
+  void take_out(std::uint32_t member);
+  void list_candidates(bool keep_first);
+  void sort_members(bool keep_first);
 
   std::vector<Member> members_;
   std::vector<Exchange> exchanges_;
@@ -64,7 +68,7 @@ class ExchangeDraft {
   std::vector<double> leaving_;   // of each member, then of outside: least loss of its exchanges
   std::vector<double> entering_;  // least loss of the exchanges to it
   std::vector<double> shift_;     // of its dual
-  std::vector<std::uint8_t> is_out_;
+  std::vector<std::uint8_t> is_out_;  // taken out, or sorted already
 
   std::vector<std::uint32_t> taker_;   // who has the column of an old member; old numbers
   std::vector<std::uint32_t> former_;  // whose column a member has; old numbers
@@ -72,8 +76,13 @@ class ExchangeDraft {
   std::uint32_t free_column_ = kNone;  // that the cycle takes from outside
   std::uint32_t free_taker_ = kNone;
 
+  std::vector<std::uint32_t> source_start_;  // of each node in sources_
+  std::vector<std::uint32_t> sources_;
+  std::vector<std::uint32_t> ways_in_;  // of each member, as long as there are any
+  std::vector<std::uint32_t> ways_out_;
+  std::vector<std::uint32_t> candidates_;  // to be the next branch
   std::vector<std::uint32_t> order_;
-  std::vector<std::uint32_t> place_;
+  std::vector<std::uint32_t> place_;  // of each member in it
 };
 
 }  // namespace nda::lap

@@ -26,6 +26,7 @@ struct Member {
   std::uint32_t held;   ///< pair of the pool; kNone = its outside option
   std::uint32_t begin;  ///< of its exchanges
   std::uint32_t end;
+  bool is_branch;  ///< false: in no cycle without the members before it
 };
 
 /// All ways from an assignment that is the best of a set to the others of the set.

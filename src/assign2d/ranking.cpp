@@ -4,6 +4,31 @@
 
 #include "assign2d/start.hpp"
 
+// Murty, "An algorithm for ranking all the assignments in order of increasing cost", Operations
+// Research 16 (1968) 682-687, divides what is left of a set after its best assignment: some row
+// chooses something else, and the rows before it in some order keep what they have.  Miller, Stone
+// & Cox, "Optimizing Murty's ranked assignment method", IEEE Transactions on Aerospace and
+// Electronic Systems 33 (1997) 851-862: a subset inherits the duals, so that its best assignment is
+// one shortest path away; it is not even looked for before a lower bound on its cost has its turn;
+// and rows that lose most come first in the order, so that promising subsets are small.
+//
+// Here a node keeps the graph of what may still change in its subset (exchange_graph.hpp), as
+// reduced costs alone; a subset's best assignment is a shortest cycle through the row that chooses
+// again. Differences:
+//
+// Reach.  All that costs more than `reach_` beyond the best is left out of the graphs: pairs, rows,
+// cycles.  When the list within reach is at its end, another tree is begun with a larger reach;
+// what the former one listed is recognised by its cost, and by comparison where rounding leaves
+// doubt. Lists grow so fast with the reach that going through a tree again costs less than keeping
+// one that could grow.
+//
+// Tuning.  Balanced duals and the removal of what is in no cycle (exchange_draft.cpp) make the
+// graphs small and the bounds sharp, so that few searches are in vain.
+//
+// Order.  Rows that are in no cycle without a row follow it and have no subset of their own.  The
+// row that chose again comes first, so that its forbidden choices, which its graph simply lacks,
+// are all that is ever forbidden.
+
 namespace nda::lap {
 namespace {
 
@@ -151,6 +176,7 @@ void Ranking::judge_branches(std::uint32_t node) {
       entering_[exchange.target] = std::min(entering_[exchange.target], exchange.loss);
       if (exchange.target > n) leaving = std::min(leaving, exchange.loss);
     }
+    if (!graph.members[n].is_branch) continue;
     const double loss = nodes_[node].loss + leaving + entering_[n];
     if (loss <= reach_ && loss < kInfinity) {
       wait({loss, node, n, false});

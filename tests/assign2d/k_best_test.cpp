@@ -55,9 +55,10 @@ void expect_all_assignments(const OwnedProblem& owned, const std::vector<Assign2
     different.insert(results[n].column_of_row);
   }
   ASSERT_THAT(different, SizeIs(results.size()));
-  if (!results.empty()) {
-    ASSERT_THAT(support::faults_of(problem, results[0]), IsEmpty());
-  }
+  if (results.empty()) return;
+  ASSERT_THAT(support::faults_of(problem, results.front()), IsEmpty());
+  ASSERT_EQ(results.back().u, results.front().u);
+  ASSERT_EQ(results.back().v, results.front().v);
 }
 
 //      -5 -4     Outside costs: rows 0, 0; columns 0, 1.  Pairs by rows:
