@@ -23,7 +23,7 @@ constexpr double kStep = 1.6;  // from one reach to the next
 constexpr double kTightReach = 2.5;  // what is tightened serves so many times the reach
 constexpr double kGridErrors = 8;          // that rounding may be from a point of the grid
 constexpr double kGridTolerance = 0x1p-6;  // of its step, at most
-constexpr double kTrialWork = 1e6;  // before a tighter slack is looked for
+constexpr double kTrialWork = 4e5;  // before a tighter slack is looked for
 
 }  // namespace
 
