@@ -38,11 +38,11 @@ constexpr std::size_t kMostDepth = 20000;
 class Search {
  public:
   Search(const bnb::SlackProblem& problem,
-          double budget,
-          std::size_t k,
-          const bnb::SlackLimits& limits,
-          std::span<const std::uint32_t> names,
-          Combinations& combinations)
+         double budget,
+         std::size_t k,
+         const bnb::SlackLimits& limits,
+         std::span<const std::uint32_t> names,
+         Combinations& combinations)
       : problem_(problem),
         k_(k),
         names_(names),

@@ -38,8 +38,8 @@ class SlackView {
   /// A neighbour of the best solution: it has one arc more, without those that exclude it, or one
   /// less; or two more, where the second covers all that the first laid bare.
   struct Neighbour {
-    double rise;  ///< of the cost
-    core::ArcId arc;  ///< put in, or taken out
+    double rise;                 ///< of the cost
+    core::ArcId arc;             ///< put in, or taken out
     core::ArcId second = kNone;  ///< put in as well
   };
   /// All of one arc that leave no index alone that must not be, and of those with two arcs some

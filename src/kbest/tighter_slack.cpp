@@ -44,10 +44,10 @@ std::vector<double> multipliers_of(const bnb::SlackProblem& slack) {
 }  // namespace
 
 std::optional<bnb::ComponentSlack> tighter_slack(const core::Component& component,
-                                          const bnb::SlackProblem& slack,
-                                          std::span<const ArcId> best,
-                                          double reach,
-                                          const core::Deadline& deadline) {
+                                                 const bnb::SlackProblem& slack,
+                                                 std::span<const ArcId> best,
+                                                 double reach,
+                                                 const core::Deadline& deadline) {
   const core::Component refunding = with_refunds(component, slack);
   cutting::Master master(refunding, core::all_arcs(refunding), multipliers_of(slack));
   for (std::uint32_t row = 0; row < slack.num_indices(); ++row) {

@@ -19,13 +19,14 @@ namespace nda::kbest {
 /// @param best       a packing of least slack.
 /// @param reach      arcs that are in no packing whose slack exceeds that of `best` by less may be
 ///                   missing.
-/// @return           rows are slots, then cuts; nothing where the deadline strikes, or the linear program fails.
+/// @return           rows are slots, then cuts; nothing where the deadline strikes, or the linear
+/// program fails.
 ///
 /// Cost: a linear program of the component's arcs, again with every round of cuts.
 std::optional<bnb::ComponentSlack> tighter_slack(const core::Component& component,
-                                          const bnb::SlackProblem& slack,
-                                          std::span<const core::ArcId> best,
-                                          double reach,
-                                          const core::Deadline& deadline);
+                                                 const bnb::SlackProblem& slack,
+                                                 std::span<const core::ArcId> best,
+                                                 double reach,
+                                                 const core::Deadline& deadline);
 
 }  // namespace nda::kbest
