@@ -117,10 +117,13 @@ bool Part::rank(double reach,
   search.max_work = limits.max_work;
   // As many as are found bound the last of the best, whatever else there is.
   double within = useful(std::max(kFirstShare * most, kShareOfLeast * first_.least), most);
-  for (; !is_ranked(most, k); within = useful(std::max(kStep * within, reached_), most)) {
+  while (!is_ranked(reach, k)) {
     if (search.max_nodes <= 0 || limits.deadline.reached()) return false;
     tighten(within, limits.deadline);
     if (!is_ranked(within, k) && !rank_within(within)) return false;
+    if (!(within < reach)) return true;
+    // Beyond what bounds the last of them lies nothing but what rounding put there.
+    within = useful(std::max(kStep * within, reached_), within < most ? most : reach);
   }
   return true;
 }

@@ -133,7 +133,7 @@ double Ranker::next_reach(std::size_t planned) {
   if (reach == kInfinity && !neighbours_.empty() && parts_.empty())
     reach = reach_of(neighbours_.size());
   if (reach == kInfinity || !(reach > reach_)) reach = kBlindGrowth * std::max(reach_, error_);
-  return reach > least ? reach : kLeastGrowth * least;
+  return std::max(reach > least ? reach : kLeastGrowth * least, beyond(reach_, error_));
 }
 
 // The least reach within which there may be what is not listed.
@@ -197,7 +197,7 @@ bool Ranker::replace_parts(const std::vector<ArcId>& near, const core::Deadline&
       kept.push_back(same->second);
       continue;
     }
-    parts.emplace_back(cutter.cut(whole, partition.component(p)), *view_, grid_);
+    parts.emplace_back(cutter.cut(whole, partition.component(p), deadline), *view_, grid_);
   }
   if (deadline.reached()) return false;
   for (Part* part : kept) parts.push_back(std::move(*part));
