@@ -16,14 +16,14 @@ using core::ArcId;
 
 namespace {
 
-constexpr double kRounding = 0x1p-36;  // of a slack
+constexpr double kRounding = 0x1p-36;      // of a slack
 constexpr double kFirstShare = 1.0 / 64;   // of the reach, where it is beyond what a trial manages
 constexpr double kShareOfLeast = 1.0 / 8;  // of the slack of the best solution, at least
-constexpr double kStep = 1.6;  // from one reach to the next
-constexpr double kTightReach = 2.5;  // what is tightened serves so many times the reach
+constexpr double kStep = 1.6;              // from one reach to the next
+constexpr double kTightReach = 2.5;        // what is tightened serves so many times the reach
 constexpr double kGridErrors = 8;          // that rounding may be from a point of the grid
 constexpr double kGridTolerance = 0x1p-6;  // of its step, at most
-constexpr double kTrialWork = 1e6;  // before a tighter slack is looked for
+constexpr double kTrialWork = 4e5;         // before a tighter slack is looked for
 
 }  // namespace
 
@@ -60,15 +60,16 @@ void Part::finish(Form& form) const {
   }
   double largest = largest_;
   for (std::uint32_t row = 0; row < slack.num_rows(); ++row) {
-    if (slack.price(row) < kInfinity) largest = std::max(largest, slack.capacity(row) * slack.price(row));
-    if (used[row] < slack.capacity(row)) form.least += (slack.capacity(row) - used[row]) * slack.price(row);
+    if (slack.price(row) < kInfinity)
+      largest = std::max(largest, slack.capacity(row) * slack.price(row));
+    if (used[row] < slack.capacity(row))
+      form.least += (slack.capacity(row) - used[row]) * slack.price(row);
   }
   form.error = pipeline::precision_of(slack.num_rows(), largest, {}).error;
 }
 
 bool Part::is_ranked(double reach, std::size_t k) const {
-  return listed_k_ > 0 &&
-         (k <= list_.size() || (list_.size() < listed_k_ && reach < reached_));
+  return listed_k_ > 0 && (k <= list_.size() || (list_.size() < listed_k_ && reach < reached_));
 }
 
 void Part::keep(Found found, std::size_t k) {
@@ -116,10 +117,13 @@ bool Part::rank(double reach,
   search.max_work = limits.max_work;
   // As many as are found bound the last of the best, whatever else there is.
   double within = useful(std::max(kFirstShare * most, kShareOfLeast * first_.least), most);
-  for (; !is_ranked(most, k); within = useful(std::max(kStep * within, reached_), most)) {
+  while (!is_ranked(reach, k)) {
     if (search.max_nodes <= 0 || limits.deadline.reached()) return false;
     tighten(within, limits.deadline);
     if (!is_ranked(within, k) && !rank_within(within)) return false;
+    if (!(within < reach)) return true;
+    // Beyond what bounds the last of them lies nothing but what rounding put there.
+    within = useful(std::max(kStep * within, reached_), within < most ? most : reach);
   }
   return true;
 }

@@ -43,14 +43,15 @@ using core::ArcId;
 
 namespace {
 
-constexpr double kGrowth = 1.5;      // of the number of neighbours within reach
-constexpr double kBlindGrowth = 2;   // of the reach, where neighbours say nothing
+constexpr double kGrowth = 1.5;        // of the number of neighbours within reach
+constexpr double kBlindGrowth = 2;     // of the reach, where neighbours say nothing
 constexpr double kLeastGrowth = 1.25;  // beyond the reach from where on there may be more
 constexpr std::size_t kSumsBetweenLooks = 64;
 
 // As many neighbours as have k combinations, if no two exclude each other, and as many again.
 std::size_t first_within(std::size_t k) {
-  return 2 * static_cast<std::size_t>(std::ceil(std::log2(static_cast<double>(std::max<std::size_t>(k, 2)))));
+  return 2 * static_cast<std::size_t>(
+                 std::ceil(std::log2(static_cast<double>(std::max<std::size_t>(k, 2)))));
 }
 
 std::size_t hash_of(const std::vector<ArcId>& arcs) {
@@ -93,7 +94,8 @@ bool Ranker::look(std::size_t planned, const core::Deadline& deadline) {
     view_.reset();
     return false;
   }
-  error_ = pipeline::precision_of(problem_.num_indices(), pipeline::largest_cost(problem_), {}).error;
+  error_ =
+      pipeline::precision_of(problem_.num_indices(), pipeline::largest_cost(problem_), {}).error;
   grid_ = core::find_grid(problem_, deadline).step;
   append({view_->best()});
   return true;
@@ -131,7 +133,7 @@ double Ranker::next_reach(std::size_t planned) {
   if (reach == kInfinity && !neighbours_.empty() && parts_.empty())
     reach = reach_of(neighbours_.size());
   if (reach == kInfinity || !(reach > reach_)) reach = kBlindGrowth * std::max(reach_, error_);
-  return reach > least ? reach : kLeastGrowth * least;
+  return std::max(reach > least ? reach : kLeastGrowth * least, beyond(reach_, error_));
 }
 
 // The least reach within which there may be what is not listed.
@@ -195,7 +197,7 @@ bool Ranker::replace_parts(const std::vector<ArcId>& near, const core::Deadline&
       kept.push_back(same->second);
       continue;
     }
-    parts.emplace_back(cutter.cut(whole, partition.component(p)), *view_, grid_);
+    parts.emplace_back(cutter.cut(whole, partition.component(p), deadline), *view_, grid_);
   }
   if (deadline.reached()) return false;
   for (Part* part : kept) parts.push_back(std::move(*part));

@@ -139,16 +139,16 @@ std::vector<double> costs_by_murty(const Problem& problem, std::size_t k) {
 
 // So hard that cuts tighten what is ranked.
 TEST(KBest, AgreesWithMurtyWhereCutsAreNeeded) {
-  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
     SCOPED_TRACE(seed);
     Map3Options map3;
-    map3.size = 13;
+    map3.size = 16;
     map3.seed = seed;
     const Problem problem = generate_map3(map3).problem;
-    const Solution solution = solve_k_best(problem, 15);
-    EXPECT_EQ(num_proven(solution), 15u);
+    const Solution solution = solve_k_best(problem, 8);
+    EXPECT_EQ(num_proven(solution), 8u);
     expect_sound(problem, solution);
-    expect_costs(problem, costs_by_murty(problem, 15), 15, costs_of(solution));
+    expect_costs(problem, costs_by_murty(problem, 8), 8, costs_of(solution));
   }
 }
 

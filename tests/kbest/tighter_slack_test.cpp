@@ -68,8 +68,8 @@ TEST(TighterSlack, KeepsWhatPackingsWithinReachDifferBy) {
     const auto slack = [&](const std::vector<ArcId>& arcs) {
       return support::slack_of(before.problem, arcs);
     };
-    const std::vector<ArcId> best = *std::min_element(
-        packings.begin(), packings.end(), [&](const auto& a, const auto& b) {
+    const std::vector<ArcId> best =
+        *std::min_element(packings.begin(), packings.end(), [&](const auto& a, const auto& b) {
           return slack(a) < slack(b);
         });
     if (!(slack(best) < kInfinity)) continue;
