@@ -23,7 +23,8 @@ constexpr double kStep = 1.6;              // from one reach to the next
 constexpr double kTightReach = 2.5;        // what is tightened serves so many times the reach
 constexpr double kGridErrors = 8;          // that rounding may be from a point of the grid
 constexpr double kGridTolerance = 0x1p-6;  // of its step, at most
-constexpr double kTrialWork = 4e5;         // before a tighter slack is looked for
+constexpr double kTrialWork = 3e5;         // before a tighter slack is looked for
+constexpr double kTrialWorkPerRank = 1e5;
 
 }  // namespace
 
@@ -112,7 +113,8 @@ bool Part::rank(double reach,
     if (found.complete) keep(std::move(found), k);
     return found.complete;
   };
-  search.max_work = std::min(limits.max_work, kTrialWork);
+  search.max_work =
+      std::min(limits.max_work, kTrialWork + kTrialWorkPerRank * static_cast<double>(k));
   if (rank_within(reach)) return true;
   search.max_work = limits.max_work;
   // As many as are found bound the last of the best, whatever else there is.
