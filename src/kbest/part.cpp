@@ -25,6 +25,7 @@ constexpr double kGridErrors = 8;          // that rounding may be from a point 
 constexpr double kGridTolerance = 0x1p-6;  // of its step, at most
 constexpr double kTrialWork = 3e5;         // before a tighter slack is looked for
 constexpr double kTrialWorkPerRank = 1e5;
+constexpr double kShortTrialWork = 5e4;
 
 }  // namespace
 
@@ -113,8 +114,11 @@ bool Part::rank(double reach,
     if (found.complete) keep(std::move(found), k);
     return found.complete;
   };
-  search.max_work =
-      std::min(limits.max_work, kTrialWork + kTrialWorkPerRank * static_cast<double>(k));
+  // Where the best solution has more slack than there is reach, a tighter one pays soon.
+  const double trial = first_.least < reach
+                           ? kTrialWork + kTrialWorkPerRank * static_cast<double>(k)
+                           : kShortTrialWork;
+  search.max_work = std::min(limits.max_work, trial);
   if (rank_within(reach)) return true;
   search.max_work = limits.max_work;
   // As many as are found bound the last of the best, whatever else there is.
