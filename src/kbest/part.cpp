@@ -26,6 +26,7 @@ constexpr double kGridTolerance = 0x1p-6;  // of its step, at most
 constexpr double kTrialWork = 3e5;         // before a tighter slack is looked for
 constexpr double kTrialWorkPerRank = 1e5;
 constexpr double kShortTrialWork = 5e4;
+constexpr double kTrialWorkPerArc = 200;  // tightening takes as long
 
 }  // namespace
 
@@ -118,7 +119,8 @@ bool Part::rank(double reach,
   const double trial = first_.least < reach
                            ? kTrialWork + kTrialWorkPerRank * static_cast<double>(k)
                            : kShortTrialWork;
-  search.max_work = std::min(limits.max_work, trial);
+  const double per_arc = kTrialWorkPerArc * static_cast<double>(component_.num_arcs());
+  search.max_work = std::min(limits.max_work, trial + per_arc);
   if (rank_within(reach)) return true;
   search.max_work = limits.max_work;
   // As many as are found bound the last of the best, whatever else there is.
