@@ -23,7 +23,10 @@ constexpr double kStep = 1.6;              // from one reach to the next
 constexpr double kTightReach = 2.5;        // what is tightened serves so many times the reach
 constexpr double kGridErrors = 8;          // that rounding may be from a point of the grid
 constexpr double kGridTolerance = 0x1p-6;  // of its step, at most
-constexpr double kTrialWork = 4e5;         // before a tighter slack is looked for
+constexpr double kTrialWork = 3e5;         // before a tighter slack is looked for
+constexpr double kTrialWorkPerRank = 1e5;
+constexpr double kShortTrialWork = 5e4;
+constexpr double kTrialWorkPerArc = 200;  // tightening takes as long
 
 }  // namespace
 
@@ -112,7 +115,12 @@ bool Part::rank(double reach,
     if (found.complete) keep(std::move(found), k);
     return found.complete;
   };
-  search.max_work = std::min(limits.max_work, kTrialWork);
+  // Where the best solution has more slack than there is reach, a tighter one pays soon.
+  const double trial = first_.least < reach
+                           ? kTrialWork + kTrialWorkPerRank * static_cast<double>(k)
+                           : kShortTrialWork;
+  const double per_arc = kTrialWorkPerArc * static_cast<double>(component_.num_arcs());
+  search.max_work = std::min(limits.max_work, trial + per_arc);
   if (rank_within(reach)) return true;
   search.max_work = limits.max_work;
   // As many as are found bound the last of the best, whatever else there is.
