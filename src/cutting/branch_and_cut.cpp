@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-// Branching on a pair of rows keeps both children packing problems and halves the fractional point
-// on both sides, where fixing one arc to 0 would change next to nothing.  Which pair: a few with a
-// weight near a half are tried, by some dual simplex steps each, and the product of what their two
-// children gain decides (strong branching, Applegate et al. 1995).
+// The tree: bound a node by the linear relaxation and cuts, end it by a search within the slack
+// where that is short, else branch on a pair of rows, and dive into the child of smaller bound.
 
 namespace nda::cutting {
 namespace {
@@ -14,8 +12,6 @@ namespace {
 using core::ArcId;
 
 constexpr double kIntegral = 1e-6;
-constexpr std::size_t kCandidates = 8;
-constexpr int kTrialIterations = 60;
 constexpr double kWorthwhile = 0.03;
 
 }  // namespace
@@ -29,7 +25,8 @@ BranchAndCut::BranchAndCut(const core::Component& component,
       master_(master),
       cutoff_(cutoff),
       limits_(limits),
-      offer_(std::move(offer)) {}
+      offer_(std::move(offer)),
+      branching_(component, master, limits.deadline) {}
 
 BranchAndCutResult BranchAndCut::run() {
   BranchAndCutResult result;
@@ -59,16 +56,18 @@ double BranchAndCut::explore(int depth, double inherited) {
   }
   if (limits_.pause) cutoff_ = limits_.pause(num_nodes(), work());
   if (lower >= cutoff_) return close(lower);
-  const Choice choice = choose();
+  const PairBranching::Choice choice = branching_.choose(branching_.fractional_pairs(), cutoff_);
   const bool together_first = choice.together <= choice.apart;
   if (limits_.proof != nullptr)
     limits_.proof->branch(choice.pair.first, choice.pair.second, together_first);
   double least = kInfinity;
   for (const bool together : {together_first, !together_first}) {
     if (stopped()) return leave(lower);
-    least = std::min(least,
-                     together ? explore_together(choice.pair, depth + 1, lower)
-                              : explore_apart(choice.pair, depth + 1, lower));
+    const auto explore_child = [&] { least = std::min(least, explore(depth + 1, lower)); };
+    if (together)
+      branching_.together(choice.pair, explore_child);
+    else
+      branching_.apart(choice.pair, explore_child);
   }
   return least;
 }
@@ -140,111 +139,6 @@ core::Packing BranchAndCut::packing() const {
     if (master_.values()[k] >= 0.5) arcs.push_back(master_.arcs()[k]);
   }
   return core::make_packing(component_, std::move(arcs));
-}
-
-std::vector<BranchAndCut::Pair> BranchAndCut::fractional_pairs() const {
-  std::vector<Pair> pairs;
-  std::vector<std::uint32_t> slots;
-  for (std::size_t k = 0; k < master_.arcs().size(); ++k) {
-    const double x = master_.values()[k];
-    if (x <= kIntegral || x >= 1 - kIntegral) continue;
-    slots.clear();
-    core::for_each_slot(component_, master_.arcs()[k], [&](std::uint32_t slot) {
-      for (const std::uint32_t other : slots) pairs.push_back({other, slot, x});
-      slots.push_back(slot);
-    });
-  }
-  std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
-    return a.first != b.first ? a.first < b.first : a.second < b.second;
-  });
-  std::vector<Pair> merged;
-  for (const Pair& pair : pairs) {
-    if (!merged.empty() && merged.back().first == pair.first && merged.back().second == pair.second)
-      merged.back().weight += pair.weight;
-    else
-      merged.push_back(pair);
-  }
-  std::erase_if(merged, [](const Pair& pair) { return pair.weight >= 1 - kIntegral; });
-  return merged;
-}
-
-BranchAndCut::Choice BranchAndCut::choose() {
-  std::vector<Pair> pairs = fractional_pairs();
-  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
-    return std::abs(a.weight - 0.5) < std::abs(b.weight - 0.5);
-  });
-  if (pairs.size() > kCandidates) pairs.resize(kCandidates);
-  const std::vector<unsigned char> basis = master_.basis();
-  const double lower = master_.lower();
-  Choice best{};
-  double best_score = -1;
-  for (const Pair& pair : pairs) {
-    Choice choice{pair, 0, 0};
-    const std::vector<ArcId> one = arcs_of_one(pair);
-    master_.forbid(one);
-    master_.force(pair.first);
-    choice.together = master_.trial(kTrialIterations, limits_.deadline);
-    master_.release(pair.first);
-    master_.allow(one);
-    master_.set_basis(basis);
-    const std::vector<ArcId> both = arcs_of_both(pair);
-    master_.forbid(both);
-    choice.apart = master_.trial(kTrialIterations, limits_.deadline);
-    master_.allow(both);
-    master_.set_basis(basis);
-    const auto gain = [&](double bound) {
-      return std::max(1e-6, std::min(bound, cutoff_) - lower);
-    };
-    const double score = gain(choice.together) * gain(choice.apart);
-    if (score > best_score) {
-      best_score = score;
-      best = choice;
-    }
-  }
-  return best;
-}
-
-bool BranchAndCut::uses(ArcId a, std::uint32_t slot) const {
-  bool found = false;
-  core::for_each_slot(component_, a, [&](std::uint32_t s) { found = found || s == slot; });
-  return found;
-}
-
-std::vector<ArcId> BranchAndCut::arcs_of_one(const Pair& pair) const {
-  std::vector<ArcId> arcs;
-  for (const ArcId a : master_.index()[pair.first]) {
-    if (!uses(a, pair.second)) arcs.push_back(a);
-  }
-  for (const ArcId a : master_.index()[pair.second]) {
-    if (!uses(a, pair.first)) arcs.push_back(a);
-  }
-  return arcs;
-}
-
-std::vector<ArcId> BranchAndCut::arcs_of_both(const Pair& pair) const {
-  std::vector<ArcId> arcs;
-  for (const ArcId a : master_.index()[pair.first]) {
-    if (uses(a, pair.second)) arcs.push_back(a);
-  }
-  return arcs;
-}
-
-double BranchAndCut::explore_together(const Pair& pair, int depth, double inherited) {
-  const std::vector<ArcId> one = arcs_of_one(pair);
-  master_.forbid(one);
-  master_.force(pair.first);
-  const double lower = explore(depth, inherited);
-  master_.release(pair.first);
-  master_.allow(one);
-  return lower;
-}
-
-double BranchAndCut::explore_apart(const Pair& pair, int depth, double inherited) {
-  const std::vector<ArcId> both = arcs_of_both(pair);
-  master_.forbid(both);
-  const double lower = explore(depth, inherited);
-  master_.allow(both);
-  return lower;
 }
 
 }  // namespace nda::cutting

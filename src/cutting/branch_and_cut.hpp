@@ -9,6 +9,7 @@
 #include "cutting/cut_loop.hpp"
 #include "cutting/leaf_search.hpp"
 #include "cutting/master.hpp"
+#include "cutting/pair_branching.hpp"
 #include "cutting/proof_log.hpp"
 
 namespace nda::cutting {
@@ -19,7 +20,7 @@ struct BranchAndCutLimits {
   std::size_t root_patterns = 0;
   std::size_t node_patterns = 4;  ///< of cuts; those over three indices are always looked for
   int node_rounds = 3;
-  bool thorough = true;  ///< CutLoopOptions::thorough at the root
+  bool thorough = true;                      ///< CutLoopOptions::thorough at the root
   double leaf_work = LeafLimits{}.max_work;  ///< LeafLimits::max_work of a node
   core::Deadline deadline;
   ProofLog* proof = nullptr;  ///< where to write down the tree; whole if the search is exhaustive
@@ -39,8 +40,7 @@ struct BranchAndCutResult {
 };
 
 /// Branch and cut over the live arcs of `master`: bounds by its linear relaxation, tightened by
-/// cuts at every node, branching on pairs of rows (Ryan & Foster 1981): one arc uses both, or none
-/// does.
+/// cuts at every node, branching on pairs of rows (cutting/pair_branching.hpp).
 ///
 /// Depth first, the child with the smaller bound first.  The bound holds whenever it stops.
 class BranchAndCut {
@@ -54,30 +54,12 @@ class BranchAndCut {
   BranchAndCutResult run();
 
  private:
-  struct Pair {
-    std::uint32_t first;
-    std::uint32_t second;
-    double weight;  // sum of x over the arcs that use both slots
-  };
-  struct Choice {
-    Pair pair;
-    double together;  // bounds of the children, as far as a trial tells
-    double apart;
-  };
-
   double explore(int depth, double inherited);
   CutLoopEnd tighten(int depth);
   LeafLimits leaf_limits() const;
   double close(double lower);
   bool integral() const;
   core::Packing packing() const;
-  std::vector<Pair> fractional_pairs() const;
-  Choice choose();
-  std::vector<core::ArcId> arcs_of_one(const Pair& pair) const;
-  std::vector<core::ArcId> arcs_of_both(const Pair& pair) const;
-  double explore_together(const Pair& pair, int depth, double inherited);
-  double explore_apart(const Pair& pair, int depth, double inherited);
-  bool uses(core::ArcId a, std::uint32_t slot) const;
   bool stopped() const { return num_nodes() >= limits_.max_nodes || limits_.deadline.reached(); }
   double work() const;
   std::int64_t num_nodes() const { return tree_nodes_ + search_nodes_; }
@@ -90,6 +72,7 @@ class BranchAndCut {
   double cutoff_;
   const BranchAndCutLimits& limits_;
   PackingOffer offer_;
+  PairBranching branching_;
   std::int64_t tree_nodes_ = 0;
   std::int64_t search_nodes_ = 0;
   double search_work_ = 0;  // of separation, too
