@@ -17,8 +17,11 @@ namespace nda {
 /// proven entries are those of the best ones there are.  If all are proven and there are fewer than
 /// k, there are no others.  Where the optimum is not proven, or a limit strikes while ranking, the
 /// best of the solutions at hand follow without proof: those that differ from the first by one arc,
-/// or by two.  Status, bound and everything else are about the first, but for the time and the
-/// nodes.
+/// or by two; one of them may be better and come first.  Status, bound and everything else are
+/// about the first, but for the time and the nodes.
+///
+/// Options::ranking chooses other ways than this: good solutions without a proof of their ranks,
+/// by partial branch and bound (docs/partial_branch_and_bound.md).
 ///
 /// Throws InputError for k = 0 and where solve() does.  Cost: one solve(), then O(A N) and a search
 /// that is short where the optimum has little slack; exponential in the worst case.  Thread safe.
@@ -44,7 +47,7 @@ std::size_t num_proven(const Solution& solution);
 /// | node_limit           | goes on where this one stopped, with limits of its own; only    |
 /// | interrupted          | a solve() that is not done begins anew                          |
 /// | gap_reached, iteration_limit, precision_lost | the best and its neighbours, which it gave |
-/// |                      | without proof, are all that these leave                         |
+/// |                      | without proof, are all that these leave; one may be better      |
 ///
 /// Copies nothing: the problem must outlive it, unchanged.  One thread at a time; different ones
 /// may share a problem.

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "kbest/adopt.hpp"
 #include "kbest/near_optimal.hpp"
 #include "kbest/ranker.hpp"
 #include "kbest/ranking_progress.hpp"
@@ -30,8 +31,7 @@ void rank(const Problem& problem, Solution& solution, std::size_t k, const Optio
   kbest::sort_by_cost(ranks);
   if (!ranker.has_all() && ranks.size() < k)
     std::ranges::move(ranker.unlisted(0, k - ranks.size(), deadline), std::back_inserter(ranks));
-  for (std::size_t r = 0; r < ranks.size(); ++r) ranks[r].rank = static_cast<int>(r) + 1;
-  solution.solutions = std::move(ranks);
+  kbest::adopt(solution, std::move(ranks));
   solution.stats.nodes += ranker.nodes();
   solution.stats.solve_seconds += deadline.seconds();
 }

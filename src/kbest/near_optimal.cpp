@@ -1,7 +1,6 @@
 #include "kbest/near_optimal.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -9,6 +8,7 @@
 #include "core/component.hpp"
 #include "core/shift.hpp"
 #include "decompose/components.hpp"
+#include "kbest/adopt.hpp"
 #include "kbest/packing_buffer.hpp"
 #include "kbest/packing_sums.hpp"
 #include "kbest/partial_branch_and_bound.hpp"
@@ -27,9 +27,6 @@ namespace {
 using core::ArcId;
 using core::Component;
 using core::Packing;
-
-// A bound this close to the cost, as a share of it, proves it.
-constexpr double kNegligible = 1e-9;
 
 class NearOptimal {
  public:
@@ -52,7 +49,8 @@ class NearOptimal {
     for (std::size_t c = 0; c < partition.num_components() && !deadline_.reached(); ++c) {
       lists_.push_back(rank(cutter_.cut(problem_, shift_, partition.component(c)), c));
     }
-    if (lists_.size() == partition.num_components() && !deadline_.reached()) adopt(solutions());
+    lists_.push_back({Packing{best_, 0}});  // where there was no time; its cost makes no difference
+    take(solutions());
     solution_.stats.solve_seconds += deadline_.seconds();
   }
 
@@ -62,6 +60,7 @@ class NearOptimal {
     PackingBuffer buffer(k_);
     Packing first = core::make_packing(component, core::arcs_from_original(component, best_));
     const double before = first.cost;
+    for (const ArcId a : first.arcs) std::erase(best_, component.arc_origin[a]);
     buffer.add(std::move(first));
     PartialBranchAndBound search(options_, k_, deadline_);
     for (Packing& packing : search.rank(component, multipliers(component)))
@@ -86,6 +85,13 @@ class NearOptimal {
     return u;
   }
 
+  // The first one was proven if anything was.
+  void take(std::vector<RankedSolution> ranks) {
+    sort_by_cost(ranks);
+    ranks.front().proven = solution_.proven;
+    adopt(solution_, std::move(ranks));
+  }
+
   std::vector<RankedSolution> solutions() const {
     std::vector<RankedSolution> ranks;
     for (const PackingChoice& choice : cheapest_choices(lists_, k_)) {
@@ -97,23 +103,7 @@ class NearOptimal {
       RankedSolution next = pipeline::make_solution(problem_, arcs, covered);
       if (next.cost < kInfinity) ranks.push_back(std::move(next));
     }
-    sort_by_cost(ranks);
-    for (std::size_t r = 0; r < ranks.size(); ++r) ranks[r].rank = static_cast<int>(r) + 1;
     return ranks;
-  }
-
-  // A better first solution may meet the bound.
-  void adopt(std::vector<RankedSolution> ranks) {
-    RankedSolution& first = ranks.front();
-    if (!solution_.proven && first.cost < solution_.cost &&
-        first.cost - solution_.lower_bound <= kNegligible * std::abs(first.cost)) {
-      solution_.proven = true;
-      solution_.status = Status::kOptimal;
-    }
-    first.proven = solution_.proven;
-    solution_.cost = first.cost;
-    solution_.lower_bound = std::min(solution_.lower_bound, first.cost);
-    solution_.solutions = std::move(ranks);
   }
 
   const Problem& problem_;
@@ -124,7 +114,7 @@ class NearOptimal {
   const core::Deadline& deadline_;
   const core::Shift shift_;
   core::Cutter cutter_;
-  std::vector<ArcId> best_;                  // of the solution, ascending
+  std::vector<ArcId> best_;  // of the solution, ascending, of components to be searched
   std::vector<std::vector<Packing>> lists_;  // of each component
 };
 

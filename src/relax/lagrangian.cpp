@@ -95,7 +95,7 @@ class Loop {
   LagrangianResult result_;
 };
 
-// The same with everything relaxed and coordinate ascent; the kept sets come back for one recovery
+// The same with everything relaxed and coordinate ascent; the kept sets come back for one alignment
 // at the end.
 LagrangianResult maximize_by_coordinates(const Component& component,
                                          std::span<const double> warm,
@@ -115,14 +115,18 @@ LagrangianResult maximize_by_coordinates(const Component& component,
   result.evaluations = found.evaluations;
   result.u = std::move(found.point);
   if (options.certify) result.lower = make_feasible(component, result.u, options.deadline);
-  if (recover && !deadline.reached()) {
-    DualFunction kept(component, options.assign2d, deadline);
-    std::vector<double> subgradient(kept.num_variables());
-    kept.evaluate(std::span(result.u).subspan(kept.first_slot()), subgradient);
-    result.best = recover(kept);
-    result.recoveries = 1;
-    if (result.best.cost >= 0) result.best = {};
-  }
+  if (deadline.reached()) return result;
+  DualFunction kept(component, options.assign2d, deadline);
+  AlignmentPool pool(options.alignment_rule, options.num_alignments);
+  const std::span<const double> point = std::span(result.u).subspan(kept.first_slot());
+  std::vector<double> subgradient(kept.num_variables());
+  const double value = kept.evaluate(point, subgradient);
+  pool.offer(kept.aligned_cells(), point, value, kept.violation());
+  result.alignments = pool.take();
+  if (!recover) return result;
+  result.best = recover(kept);
+  result.recoveries = 1;
+  if (result.best.cost >= 0) result.best = {};
   return result;
 }
 

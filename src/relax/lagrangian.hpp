@@ -42,7 +42,7 @@ struct LagrangianResult {
   std::vector<double> u;      ///< multipliers of all slots: u <= 0, all reduced costs >= 0
   double lower = -kInfinity;  ///< sum u, a lower bound on every packing; -inf if there was no time
   core::Packing best;         ///< best recovered packing; empty (cost 0) if none is better
-  std::vector<Alignment> alignments;  ///< best first; none from the coordinate method
+  std::vector<Alignment> alignments;  ///< best first; one of the coordinate method
   int evaluations = 0;
   int recoveries = 0;
 };

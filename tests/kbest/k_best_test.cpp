@@ -80,6 +80,27 @@ TEST(KBest, NeedsAtLeastOneSolution) {
   EXPECT_THROW(solve_k_best(square(1), 0), InputError);
 }
 
+// Plain relaxation leaves solutions that a neighbour improves on: the best one comes first.
+TEST(KBest, PutsABetterNeighbourFirst) {
+  Options options;
+  options.method = Method::kRelaxation;
+  options.relaxation.max_evaluations = 1;
+  int improved = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const Problem problem = square(seed);
+    const double plain = solve(problem, options).cost;
+    const Solution solution = solve_k_best(problem, 10, options);
+    expect_sound(problem, solution);
+    EXPECT_EQ(solution.cost, solution.solutions.front().cost);
+    EXPECT_LE(solution.cost, plain);
+    EXPECT_LE(solution.lower_bound, solution.cost);
+    improved += solution.cost < plain;
+    const std::vector<double> costs = costs_of(solution);
+    EXPECT_TRUE(std::ranges::is_sorted(costs));
+  }
+  EXPECT_GT(improved, 0);
+}
+
 TEST(KBest, HasNothingToRankWhereThereIsNoSolution) {
   ProblemBuilder builder({2, 1});
   builder.add_arc({1, 1}, 3);

@@ -115,5 +115,36 @@ TEST_P(PartialRanking, StopsWhenAsked) {
   EXPECT_LT(took.count(), 30) << "it would take hours";
 }
 
+// The ranks of what was searched in time, with all else as plain relaxation left it.
+TEST_P(PartialRanking, KeepsWhatWasFoundInTime) {
+  ProblemBuilder builder({2, 2, 2});
+  builder.add_arc({1, 1, 1}, -4);
+  builder.add_arc({2, 2, 2}, -5);
+  const Problem problem = std::move(builder).build();
+  Options options = near_optimal(GetParam());
+  options.time_limit_s = 1e-9;
+  const Solution solution = solve_k_best(problem, 5, options);
+  EXPECT_THAT(check(problem, solution).faults, IsEmpty());
+  ASSERT_EQ(solution.solutions.size(), 1u);
+}
+
+// One alignment, that of the end.
+TEST(PartialBranchAndBound, WorksWithEveryDualMethod) {
+  for (const DualMethod method : {DualMethod::kBundleTrust,
+                                  DualMethod::kSubgradient,
+                                  DualMethod::kVolume,
+                                  DualMethod::kCoordinate}) {
+    support::RandomProblemOptions random;
+    random.sizes = {6, 6, 6, 6};
+    random.num_arcs = 200;
+    const Problem problem = support::random_problem(3, random);
+    Options options = near_optimal(RankingMethod::kMurty);
+    options.relaxation.dual_method = method;
+    const Solution solution = solve_k_best(problem, 5, options);
+    EXPECT_THAT(check(problem, solution).faults, IsEmpty());
+    EXPECT_EQ(solution.solutions.size(), 5u);
+  }
+}
+
 }  // namespace
 }  // namespace nda
