@@ -14,8 +14,8 @@ namespace nda {
 /// Solution::solutions, best first, all different.  Solutions of equal cost come in any order.
 ///
 /// `proven` of an entry says that no other choice of so many solutions is better: the costs of the
-/// proven entries are those of the best ones there are.  If all are proven and there are fewer than
-/// k, there are no others.  Where the optimum is not proven, or a limit strikes while ranking, the
+/// proven entries are those of the best ones there are.  Solution::lists_all says that there are no
+/// others.  Where the optimum is not proven, or a limit strikes while ranking, the
 /// best of the solutions at hand follow without proof: those that differ from the first by one arc,
 /// or by two; one of them may be better and come first.  Status, bound and everything else are
 /// about the first, but for the time and the nodes.
@@ -48,6 +48,8 @@ std::size_t num_proven(const Solution& solution);
 /// | interrupted          | a solve() that is not done begins anew                          |
 /// | gap_reached, iteration_limit, precision_lost | the best and its neighbours, which it gave |
 /// |                      | without proof, are all that these leave; one may be better      |
+///
+/// Always exact: Options::ranking counts for solve_k_best() only.
 ///
 /// Copies nothing: the problem must outlive it, unchanged.  One thread at a time; different ones
 /// may share a problem.

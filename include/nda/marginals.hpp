@@ -53,7 +53,7 @@ struct AmbiguousIndex {
 /// has a weight that is not known in general: every solution there may cost little more than the
 /// last rank, and how many there are is not counted.  So the weight of a rank is at least its
 /// posterior among all solutions, that of an arc, pair or index may err to either side.  They are
-/// exact where the list is known to hold every solution: all proven, and fewer than were asked for.
+/// exact where the list holds every solution (Solution::lists_all).
 ///
 /// Ranks that are not proven count too, as they are solutions like others; but solutions that are
 /// as good may be missing beside them, so read num_proven first.

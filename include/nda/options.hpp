@@ -56,8 +56,8 @@ struct RelaxationOptions {
   int recovery_interval = 10;
   double relative_tolerance = 1e-7;  ///< stop when the predicted increase falls below; >= 0
   AlignmentRule alignment = AlignmentRule::kBestValue;
-  /// Maximise the dual of the inner problem (docs/k_best.md) before that of the recovery problem,
-  /// with so many evaluations; 0 = leave it out.
+  /// Maximise the dual of the inner problem (docs/partial_branch_and_bound.md) before that of the
+  /// recovery problem, with so many evaluations; 0 = leave it out.
   int inner_evaluations = 0;
 };
 
@@ -78,7 +78,8 @@ enum class RankingMethod {
 /// The k best.
 struct RankingOptions {
   RankingMethod method = RankingMethod::kExact;
-  int branches = 4;  ///< of partial branch and bound: alignments followed at each stage; >= 1
+  int branches =
+      4;  ///< of partial branch and bound: alignments followed at each stage; in [1, 10000]
 };
 
 /// Branch and bound.

@@ -108,6 +108,7 @@ struct Solution {
   double cost = kInfinity;          ///< of the best solution; +inf if none
   double lower_bound = -kInfinity;  ///< no solution costs less
   std::vector<RankedSolution> solutions;  ///< best first
+  bool lists_all = false;  ///< solve_k_best(): these are all proven, and there are no others
 
   /// u[k][i-1] for i = 1..M_k: an all-relaxed certificate.  With u of the dummies 0,
   /// bound = sum u + sum over arcs and singletons of min(0, c_a - sum of u over a)

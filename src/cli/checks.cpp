@@ -1,6 +1,8 @@
 #include "cli/checks.hpp"
 
+#include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <system_error>
@@ -17,6 +19,18 @@ CLI::Validator at_least(double least) {
         char rule[64];
         std::snprintf(rule, sizeof rule, "' given, it must be a number, %.6g or more", least);
         return "'" + text + rule;
+      },
+      "");
+}
+
+CLI::Validator whole_number() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        std::uint64_t value = 0;
+        const char* end = text.data() + text.size();
+        const auto [stop, error] = std::from_chars(text.data(), end, value);
+        if (error == std::errc() && stop == end && value >= 1) return std::string();
+        return "'" + text + "' given, it must be a whole number, 1 or more, below 2^64";
       },
       "");
 }

@@ -10,6 +10,9 @@ namespace nda::cli {
 /// A number, `least` or more.  NaN is refused.
 CLI::Validator at_least(double least);
 
+/// A whole number, 1 or more, that 64 bits hold.
+CLI::Validator whole_number();
+
 /// A finite number above `limit`.
 CLI::Validator above(double limit);
 

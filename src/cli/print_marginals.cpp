@@ -85,11 +85,11 @@ void print_arcs(const std::vector<const ArcMarginal*>& arcs, bool all) {
 
 }  // namespace
 
-void print_marginals(const Solution& solution, std::size_t k, double seconds, bool all) {
+void print_marginals(const Solution& solution, double seconds, bool all) {
   const Marginals& marginals = *solution.marginals;
   const std::size_t ranks = marginals.weights.size();
   if (ranks == 0) return;
-  if (marginals.num_proven == ranks && ranks < k) {
+  if (solution.lists_all) {
     print("\nmarginals     exact: there is no solution but these\n");
   } else {
     print(

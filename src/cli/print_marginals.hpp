@@ -11,6 +11,6 @@ namespace nda::cli {
 /// @param k        how many solutions were asked for
 /// @param seconds  what computing them took
 /// @param all      every line, instead of the first of each table
-void print_marginals(const Solution& solution, std::size_t k, double seconds, bool all);
+void print_marginals(const Solution& solution, double seconds, bool all);
 
 }  // namespace nda::cli

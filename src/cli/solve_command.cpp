@@ -182,9 +182,12 @@ void print_ranks(const Solution& solution, bool all) {
 }
 
 // Of several solutions that were asked for, all must be proven.
-int exit_code(const Solution& solution, std::size_t k) {
+int exit_code(const Solution& solution, std::size_t k, RankingMethod method) {
   if (solution.solutions.empty()) return kNoAnswer;
-  if (k > 1 && num_proven(solution) < solution.solutions.size()) return kStopped;
+  const std::size_t listed = solution.solutions.size();
+  const bool is_short = listed < k && !solution.lists_all;
+  if (k > 1 && method == RankingMethod::kExact && (num_proven(solution) < listed || is_short))
+    return kStopped;
   const bool answered = solution.status == Status::kOptimal ||
                         solution.status == Status::kGapReached ||
                         solution.status == Status::kPrecisionLost;
@@ -241,14 +244,13 @@ int solve_file(const SolveArguments& arguments) {
   } else {
     print_summary(solution);
     if (arguments.k > 1) print_ranks(solution, arguments.verbose);
-    if (solution.marginals)
-      print_marginals(solution, arguments.k, marginal_seconds, arguments.verbose);
+    if (solution.marginals) print_marginals(solution, marginal_seconds, arguments.verbose);
     if (arguments.verbose) {
       print_components(solution);
       print_reductions(solution);
     }
   }
-  return exit_code(solution, arguments.k);
+  return exit_code(solution, arguments.k, options.ranking.method);
 }
 
 // A flag for an option of the table; the flag's help is the row's meaning.
@@ -303,7 +305,7 @@ void add_settings(CLI::App& parser, const std::shared_ptr<SolveArguments>& argum
 
 void add_ranking(CLI::App& parser, const std::shared_ptr<SolveArguments>& arguments) {
   CLI::Option* k = parser.add_option("--k", arguments->k, "how many solutions, the best ones");
-  k->check(at_least(1));
+  k->check(whole_number());
   CLI::Option* marginals = parser.add_flag(
       "--marginals",
       arguments->marginals,

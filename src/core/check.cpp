@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <string>
 
 #include "core/certificate_sum.hpp"
@@ -85,9 +86,10 @@ std::string rank_text(const RankedSolution& ranked) {
   return "solution " + std::to_string(ranked.rank);
 }
 
-// Is the list best first, and proven only where the whole is?
+// Is the list best first, without repetition, and proven only where the whole is?
 void check_ranks(const Solution& solution, CheckReport& report) {
   const std::vector<RankedSolution>& list = solution.solutions;
+  std::map<std::vector<std::vector<Index>>, int> rank_of;
   for (std::size_t n = 0; n < list.size(); ++n) {
     if (list[n].rank != static_cast<int>(n + 1)) {
       report.faults.push_back("number " + std::to_string(n + 1) + " in the list has rank " +
@@ -96,6 +98,14 @@ void check_ranks(const Solution& solution, CheckReport& report) {
     if (n > 0 && list[n].cost < list[n - 1].cost) {
       report.faults.push_back(rank_text(list[n]) + " is stated to cost less than the one before");
     }
+    const auto [same, is_new] = rank_of.try_emplace(list[n].arcs, list[n].rank);
+    if (!is_new) {
+      report.faults.push_back(rank_text(list[n]) + " has the arcs of solution " +
+                              std::to_string(same->second));
+    }
+    if (solution.lists_all && !list[n].proven)
+      report.faults.push_back(rank_text(list[n]) +
+                              " is not proven, yet the list is stated to have all");
     const bool fits =
         n == 0 ? list[n].proven == solution.proven : !list[n].proven || solution.proven;
     if (!fits) {

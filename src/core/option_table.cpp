@@ -13,6 +13,9 @@ namespace {
 // More threads than any machine has cores: beyond that a typing error.
 constexpr double kMostThreads = 1024;
 
+// Of partial branch and bound: more would not end.
+constexpr double kMostBranches = 10000;
+
 struct Limits {
   double least = 0;
   double most = kInfinity;
@@ -213,7 +216,7 @@ void add_ranking(std::vector<OptionRow>& rows) {
   rows.push_back(number<int>(
       "ranking.branches",
       [](auto& options) -> auto& { return options.ranking.branches; },
-      {1},
+      {1, kMostBranches},
       "of partial branch and bound: alignments followed at each stage"));
 }
 

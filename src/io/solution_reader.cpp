@@ -210,6 +210,7 @@ Solution solution(const JsonNode& root) {
     result.components.push_back(component(components[i]));
   }
   result.stats = stats(root["stats"]);
+  result.lists_all = root.has("lists_all") && root["lists_all"].boolean();
   if (root.has("marginals"))
     result.marginals = marginals_of(root["marginals"], result.sizes.size());
   return result;

@@ -141,6 +141,7 @@ std::string solution_to_json(const Solution& solution) {
                    {"cuts", Json::array()},
                    {"components", array(solution.components, component)},
                    {"stats", stats(solution.stats)}};
+  if (solution.lists_all) document["lists_all"] = true;
   if (solution.marginals) document["marginals"] = marginals_of(*solution.marginals);
   return object_text(document, "") + "\n";
 }

@@ -16,6 +16,10 @@ void take_cost(Solution& solution, RankedSolution& first) {
       first.cost - solution.lower_bound <= kNegligible * std::abs(first.cost)) {
     solution.proven = first.proven = true;
     solution.status = Status::kOptimal;
+    for (ComponentReport& component : solution.components) {
+      component.proven = true;
+      component.status = Status::kOptimal;
+    }
   }
   solution.cost = first.cost;
   solution.lower_bound = std::min(solution.lower_bound, first.cost);

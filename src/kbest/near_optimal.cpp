@@ -87,6 +87,7 @@ class NearOptimal {
 
   // The first one was proven if anything was.
   void take(std::vector<RankedSolution> ranks) {
+    if (ranks.empty()) return;  // all leave something uncovered
     sort_by_cost(ranks);
     ranks.front().proven = solution_.proven;
     adopt(solution_, std::move(ranks));
@@ -94,7 +95,8 @@ class NearOptimal {
 
   std::vector<RankedSolution> solutions() const {
     std::vector<RankedSolution> ranks;
-    for (const PackingChoice& choice : cheapest_choices(lists_, k_)) {
+    for (const PackingChoice& choice : cheapest_choices(lists_, k_, deadline_)) {
+      if (!ranks.empty() && deadline_.reached()) break;
       std::vector<ArcId> arcs;
       for (const auto& [c, i] : choice)
         arcs.insert(arcs.end(), lists_[c][i].arcs.begin(), lists_[c][i].arcs.end());

@@ -10,7 +10,8 @@
 namespace nda::kbest {
 
 std::vector<PackingChoice> cheapest_choices(const std::vector<std::vector<core::Packing>>& lists,
-                                            std::size_t k) {
+                                            std::size_t k,
+                                            const core::Deadline& deadline) {
   std::vector<PackingChoice> choices;
   if (std::ranges::any_of(lists, [](const auto& list) { return list.empty(); })) return choices;
   Combinations combinations;
@@ -26,7 +27,7 @@ std::vector<PackingChoice> cheapest_choices(const std::vector<std::vector<core::
     pointers.push_back(&ranked[list]);
   }
   Sums sums(std::move(pointers), combinations);
-  while (choices.size() < k) {
+  while (choices.size() < k && (choices.empty() || !deadline.reached())) {
     const std::optional<Ranked> next = sums.next();
     if (!next) break;
     PackingChoice& choice = choices.emplace_back();

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/clock.hpp"
 #include "core/component.hpp"
 
 namespace nda::kbest {
@@ -12,8 +13,10 @@ namespace nda::kbest {
 using PackingChoice = std::vector<std::pair<std::size_t, std::size_t>>;
 
 /// The k cheapest ways to choose one packing of each list, cheapest first.  The lists ascend by
-/// cost; where one is empty there is no way.  Cost: O(lists log lists + k (log k + lists)).
+/// cost; where one is empty there is no way.  The first one at least, and those before the
+/// deadline.  Cost: O(lists log lists + k (log k + lists)).
 std::vector<PackingChoice> cheapest_choices(const std::vector<std::vector<core::Packing>>& lists,
-                                            std::size_t k);
+                                            std::size_t k,
+                                            const core::Deadline& deadline = {});
 
 }  // namespace nda::kbest

@@ -110,7 +110,8 @@ std::vector<Alignment> PartialBranchAndBound::best_assignments(const Component& 
   Assign2dRanking ranking(function.assignment());
   std::vector<Alignment> alignments;
   Assign2dResult answer;
-  while (static_cast<int>(alignments.size()) < options_.ranking.branches && ranking.next(answer)) {
+  while (static_cast<int>(alignments.size()) < options_.ranking.branches && !deadline_.reached() &&
+         ranking.next(answer)) {
     Alignment& next = alignments.emplace_back(best);
     next.cells = function.cells_of(answer);
   }
@@ -148,7 +149,7 @@ std::vector<Packing> PartialBranchAndBound::follow(const Stage& stage,
     lower += lists.back().front().cost - inner[p].lower;
   }
   std::vector<Packing> packings;
-  for (const PackingChoice& choice : cheapest_choices(lists, k_)) {
+  for (const PackingChoice& choice : cheapest_choices(lists, k_, deadline_)) {
     std::vector<ArcId> arcs;
     for (const auto& [p, i] : choice) {
       for (const ArcId a : lists[p][i].arcs) arcs.push_back(parts[p].arc_origin[a]);

@@ -43,9 +43,10 @@ using core::ArcId;
 
 namespace {
 
-constexpr double kGrowth = 1.5;        // of the number of neighbours within reach
-constexpr double kBlindGrowth = 2;     // of the reach, where neighbours say nothing
-constexpr double kLeastGrowth = 1.25;  // beyond the reach from where on there may be more
+constexpr std::size_t kFewNeighbours = 10;  // that are made whatever the clock says
+constexpr double kGrowth = 1.5;             // of the number of neighbours within reach
+constexpr double kBlindGrowth = 2;          // of the reach, where neighbours say nothing
+constexpr double kLeastGrowth = 1.25;       // beyond the reach from where on there may be more
 constexpr std::size_t kSumsBetweenLooks = 64;
 
 // As many neighbours as have k combinations, if no two exclude each other, and as many again.
@@ -252,7 +253,8 @@ std::vector<RankedSolution> Ranker::unlisted(std::size_t skipped,
   if (!look(count, deadline)) return found;
   std::size_t seen = 0;
   for (std::size_t n = 0; n < neighbours_.size() && found.size() < count; ++n) {
-    if (n == num_sorted_) sort_neighbours(n + count);
+    if (found.size() >= kFewNeighbours && deadline.reached()) break;
+    if (n == num_sorted_) sort_neighbours(n + std::min(count, neighbours_.size()));
     std::vector<ArcId> arcs = view_->arcs_of(neighbours_[n]);
     std::sort(arcs.begin(), arcs.end());
     if (is_listed(arcs) || seen++ < skipped) continue;

@@ -373,6 +373,15 @@ INSTANTIATE_TEST_SUITE_P(
               },
               "solution 1 is stated to be not proven, yet the whole is"},
         Wrong{"rank_of_another", [](Solution& s) { s.solutions[0].rank = 5; }, "has rank 5"},
+        Wrong{"solution_twice",
+              [](Solution& s) {
+                s.solutions.push_back(s.solutions[0]);
+                s.solutions[1].rank = 2;
+              },
+              "solution 2 has the arcs of solution 1"},
+        Wrong{"all_listed_without_proof",
+              [](Solution& s) { s.lists_all = true; },
+              "solution 1 is not proven, yet the list is stated to have all"},
         Wrong{"better_solution_later",
               [](Solution& s) {
                 s.solutions.insert(s.solutions.begin(), {1, 12, false, {{1, 1, 1}, {2, 1, 0}}});

@@ -50,6 +50,8 @@ TEST(KBest, AgreesWithBruteForce) {
       expect_sound(random.problem, solution);
       expect_costs(random.problem, *all, k, costs_of(solution));
       EXPECT_EQ(num_proven(solution), solution.solutions.size());
+      EXPECT_TRUE(!solution.lists_all || solution.solutions.size() == all->size());
+      EXPECT_TRUE(solution.lists_all || all->empty() || k <= all->size());
       ++ranked;
     }
     if (HasFatalFailure() || HasNonfatalFailure()) break;

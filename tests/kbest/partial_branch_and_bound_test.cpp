@@ -62,6 +62,7 @@ TEST_P(PartialRanking, IsSoundAndNoWorseThanPlainRelaxation) {
     ASSERT_EQ(solution.solutions.empty(), plain.solutions.empty());
     if (plain.solutions.empty()) continue;
     EXPECT_LE(solution.cost, plain.cost);
+    EXPECT_FALSE(solution.lists_all);
     better += solution.cost < plain.cost - 1e-9 * std::abs(plain.cost);
     many += solution.solutions.size() > 1;
     std::set<std::vector<std::vector<Index>>> different;
