@@ -104,13 +104,13 @@ bool Part::rank(double reach,
                 Combinations& combinations,
                 std::int64_t& nodes) {
   if (is_ranked(reach, k)) return true;
-  const std::int64_t last = nodes + limits.max_nodes;
+  const std::int64_t before = nodes;
   bnb::SlackLimits search = limits;
   double most = reach;
   const auto rank_within = [&](double within) {
     Found found = this->search(form(within), within, k, search, combinations);
     nodes += found.nodes;
-    search.max_nodes = last - nodes;
+    search.max_nodes = limits.max_nodes - (nodes - before);
     if (found.list.size() == k) most = std::min(most, found.list.back().slack);
     if (found.complete) keep(std::move(found), k);
     return found.complete;

@@ -150,9 +150,9 @@ bool Ranker::widen(double reach, std::size_t k, const RankLimits& limits) {
   if (!split(reach + 2 * tolerance, k, limits.deadline)) return false;
   bnb::SlackLimits search;
   search.deadline = limits.deadline;
-  const std::int64_t last = nodes_ + limits.max_nodes;
+  const std::int64_t before = nodes_;
   for (Part& part : parts_) {
-    search.max_nodes = last - nodes_;
+    search.max_nodes = limits.max_nodes - (nodes_ - before);
     if (!part.rank(reach + 2 * tolerance, k, search, combinations_, nodes_)) return false;
   }
   reach_ = reach;
