@@ -58,15 +58,11 @@ std::vector<Packing> PartialBranchAndBound::rank(const Component& component,
                                                  double cutoff) {
   if (component.num_dimensions() == 2) return assign(component, cutoff);
   const bool by_murty = options_.ranking.method == RankingMethod::kMurty;
-  relax::LagrangianOptions loop;
-  loop.dual_method = options_.relaxation.dual_method;
-  loop.assign2d = options_.relaxation.assign2d;
-  loop.alignment_rule = options_.relaxation.alignment;
+  relax::LagrangianOptions loop = relax::loop_options(options_.relaxation, deadline_);
   loop.num_alignments = by_murty ? 1 : static_cast<std::size_t>(options_.ranking.branches);
   loop.max_evaluations = max_evaluations;
   loop.relative_tolerance = options_.relaxation.relative_tolerance;
   loop.goal = cutoff;
-  loop.deadline = deadline_;
   relax::LagrangianResult relaxed = relax::maximize_dual(component, warm, loop, {});
   work_.evaluations += relaxed.evaluations;
   if (relaxed.lower >= cutoff) return {};

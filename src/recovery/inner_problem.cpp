@@ -61,11 +61,8 @@ InnerResult maximize_inner(const RecoveryPart& from,
                            const core::Deadline& deadline) {
   core::Cutter cutter;
   const Component inner = cutter.cut(from.component, inner_arcs(from));
-  relax::LagrangianOptions loop;
-  loop.dual_method = options.dual_method;
-  loop.assign2d = options.assign2d;
+  relax::LagrangianOptions loop = relax::loop_options(options, deadline);
   loop.max_evaluations = std::max(1, options.inner_evaluations);
-  loop.deadline = deadline;
   const relax::LagrangianResult found =
       relax::maximize_dual(inner, core::restrict_slots(from.component, u, inner), loop, {});
   std::vector<double> component_u(u.begin(), u.end());

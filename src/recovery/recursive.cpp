@@ -26,14 +26,10 @@ Packing solve_part(const Component& part,
                    std::span<const double> warm,
                    const RelaxationOptions& options,
                    const Deadline& deadline) {
-  relax::LagrangianOptions loop;
-  loop.dual_method = options.dual_method;
-  loop.assign2d = options.assign2d;
-  loop.alignment_rule = options.alignment;
+  relax::LagrangianOptions loop = relax::loop_options(options, deadline);
   loop.max_evaluations = part.num_dimensions() == 2 ? 1 : options.recovery_evaluations;
   loop.recovery_interval = part.num_dimensions() <= 3 ? 1 : 0;
   loop.certify = false;
-  loop.deadline = deadline;
   return relax::maximize_dual(part,
                               warm,
                               loop,

@@ -132,6 +132,15 @@ LagrangianResult maximize_by_coordinates(const Component& component,
 
 }  // namespace
 
+LagrangianOptions loop_options(const RelaxationOptions& options, const core::Deadline& deadline) {
+  LagrangianOptions loop;
+  loop.dual_method = options.dual_method;
+  loop.assign2d = options.assign2d;
+  loop.alignment_rule = options.alignment;
+  loop.deadline = deadline;
+  return loop;
+}
+
 LagrangianResult maximize_dual(const Component& component,
                                std::span<const double> warm,
                                const LagrangianOptions& options,

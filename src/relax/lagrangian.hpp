@@ -38,6 +38,9 @@ struct LagrangianOptions {
   double certify_s = 0;  ///< what is kept of the time until the deadline for that end
 };
 
+/// The loop as these options want it at every stage; all else is the default.
+LagrangianOptions loop_options(const RelaxationOptions& options, const core::Deadline& deadline);
+
 struct LagrangianResult {
   std::vector<double> u;      ///< multipliers of all slots: u <= 0, all reduced costs >= 0
   double lower = -kInfinity;  ///< sum u, a lower bound on every packing; -inf if there was no time

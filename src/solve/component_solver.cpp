@@ -128,11 +128,8 @@ ComponentSolver::ComponentSolver(const Component& component,
 }
 
 relax::LagrangianOptions ComponentSolver::loop_options(const Component& component) const {
-  relax::LagrangianOptions loop;
-  loop.dual_method = options_.relaxation.dual_method;
-  loop.assign2d = options_.relaxation.assign2d;
+  relax::LagrangianOptions loop = relax::loop_options(options_.relaxation, deadline_);
   loop.relative_tolerance = options_.relaxation.relative_tolerance;
-  loop.deadline = deadline_;
   loop.certify_s = certify_s_ * static_cast<double>(component.num_arcs()) /
                    static_cast<double>(component_.num_arcs());
   return loop;

@@ -147,5 +147,25 @@ TEST(PartialBranchAndBound, WorksWithEveryDualMethod) {
   }
 }
 
+// With one step at all other stages only the first one has a choice.
+TEST(AlignmentSelection, HoldsAtTheFirstStage) {
+  int different = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    support::RandomProblemOptions random;
+    random.sizes = {8, 8, 8, 8};
+    random.num_arcs = 400;
+    const Problem problem = support::random_problem(seed, random);
+    Options options;
+    options.method = Method::kRelaxation;
+    options.relaxation.max_evaluations = 20;
+    options.relaxation.recovery_evaluations = 1;
+    options.relaxation.recovery_interval = 1000;
+    const double by_value = solve(problem, options).cost;
+    options.relaxation.alignment = AlignmentRule::kLeastViolation;
+    different += solve(problem, options).cost != by_value;
+  }
+  EXPECT_GT(different, 0);
+}
+
 }  // namespace
 }  // namespace nda
