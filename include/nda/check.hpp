@@ -38,10 +38,10 @@ struct CheckReport {
 ///
 /// A claim that can be denied is a fault: optimal or proven where the bound does not meet the cost
 /// to 1e-9 of the costs chosen, one of the two without the other, infeasible with a solution or
-/// with all singletons free, no solution though all are free, a list that is not best first, a
-/// stated certificate above the real one, a bound above the cost, marginals that the solutions do
-/// not have.  Why a solve stopped, and for
-/// gap_reached which gap was asked for, is not in the file and is not judged.
+/// with all singletons free, no solution though all are free, a list that is not best first, has a
+/// solution twice, or is said to have all without a proof of each, a stated certificate above the
+/// real one, a bound above the cost, marginals that the solutions do not have.  Why a solve
+/// stopped, and for gap_reached which gap was asked for, is not in the file and is not judged.
 CheckReport check(const Problem& problem, const Solution& solution);
 
 /// The same with a proof of the bound, see check_proof(): what branching adds to the certificate is

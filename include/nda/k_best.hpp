@@ -15,9 +15,9 @@ namespace nda {
 ///
 /// `proven` of an entry says that no other choice of so many solutions is better: the costs of the
 /// proven entries are those of the best ones there are.  Solution::lists_all says that there are no
-/// others.  Where the optimum is not proven, or a limit strikes while ranking, the
-/// best of the solutions at hand follow without proof: those that differ from the first by one arc,
-/// or by two; one of them may be better and come first.  Status, bound and everything else are
+/// others.  Where the optimum is not proven, or a limit strikes while ranking, the best of the
+/// solutions at hand follow without proof: those that differ from the first by one arc, or by two;
+/// one of them may be better and come first.  Status, bound and everything else are
 /// about the first, but for the time and the nodes.
 ///
 /// Options::ranking chooses other ways than this: good solutions without a proof of their ranks,

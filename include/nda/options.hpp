@@ -78,8 +78,8 @@ enum class RankingMethod {
 /// The k best.
 struct RankingOptions {
   RankingMethod method = RankingMethod::kExact;
-  int branches =
-      4;  ///< of partial branch and bound: alignments followed at each stage; in [1, 10000]
+  /// Of partial branch and bound: alignments followed at each stage; in [1, 10000].
+  int branches = 4;
 };
 
 /// Branch and bound.

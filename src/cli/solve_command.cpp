@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <iostream>
@@ -14,6 +13,7 @@
 #include "cli/print.hpp"
 #include "cli/print_marginals.hpp"
 #include "cli/progress_log.hpp"
+#include "core/clock.hpp"
 #include "core/option_table.hpp"
 #include "nda/io.hpp"
 #include "nda/k_best.hpp"
@@ -205,10 +205,6 @@ void require_good_output(const std::string& output, const std::string& input) {
   require_other_file(output, input);
 }
 
-double seconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
-
 int solve_file(const SolveArguments& arguments) {
   Options options = make_options(arguments);
   require_good_output(arguments.output, arguments.file);
@@ -216,9 +212,9 @@ int solve_file(const SolveArguments& arguments) {
   if (arguments.proof == "-") throw InputError("--proof needs the name of a file, found '-'");
   require_two_files(arguments.output, arguments.proof);
   const bool json = arguments.json || arguments.output == "-";
-  const auto begin = std::chrono::steady_clock::now();
+  const core::Stopwatch reading;
   const Problem problem = read_problem(arguments.file);
-  const double read_seconds = seconds_since(begin);
+  const double read_seconds = reading.seconds();
   ProgressLog log(std::cerr, arguments.log_interval_s);
   options.progress = [&](const Progress& progress) {
     if (!arguments.quiet && !json) log(progress);
@@ -227,9 +223,9 @@ int solve_file(const SolveArguments& arguments) {
   std::signal(SIGINT, on_interrupt);
   Solution solution = solve_k_best(problem, arguments.k, options);
   solution.stats.read_seconds = read_seconds;
-  const auto solved = std::chrono::steady_clock::now();
+  const core::Stopwatch weighing;
   if (arguments.marginals) solution.marginals = marginals(solution, {arguments.cost_per_nat});
-  const double marginal_seconds = seconds_since(solved);
+  const double marginal_seconds = weighing.seconds();
   if (!arguments.output.empty() && arguments.output != "-") {
     write_solution(solution, arguments.output);
   }

@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "kbest/adopt.hpp"
 #include "kbest/near_optimal.hpp"
 #include "kbest/ranker.hpp"
 #include "kbest/ranking_progress.hpp"
+#include "kbest/ranks.hpp"
 #include "nda/solve.hpp"
 #include "solve/supervision.hpp"
 
@@ -52,10 +52,7 @@ Solution solve_k_best(const Problem& problem, std::size_t k, const Options& opti
 }
 
 std::size_t num_proven(const Solution& solution) {
-  const auto& ranks = solution.solutions;
-  const auto end = std::find_if_not(
-      ranks.begin(), ranks.end(), [](const RankedSolution& rank) { return rank.proven; });
-  return static_cast<std::size_t>(end - ranks.begin());
+  return kbest::num_proven(solution.solutions);
 }
 
 }  // namespace nda

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/double_double.hpp"
+#include "kbest/ranks.hpp"
 #include "nda/solution.hpp"
 
 // Sums of weights over a list of solutions, which mostly agree: a rank is compared with the first
@@ -298,13 +299,6 @@ class Summation {
   std::unordered_map<const Tuple*, DoubleDouble, Hash, Equal> additions_;  // the base lacks them
 };
 
-// How many of the first are proven.
-std::size_t proven_ranks(std::span<const RankedSolution> ranks) {
-  const auto end = std::find_if_not(
-      ranks.begin(), ranks.end(), [](const RankedSolution& rank) { return rank.proven; });
-  return static_cast<std::size_t>(end - ranks.begin());
-}
-
 }  // namespace
 
 Marginals marginals(std::span<const Index> sizes,
@@ -315,7 +309,7 @@ Marginals marginals(std::span<const Index> sizes,
   require_solutions(sizes, ranks);
   Marginals result;
   result.cost_per_nat = options.cost_per_nat;
-  result.num_proven = proven_ranks(ranks);
+  result.num_proven = kbest::num_proven(ranks);
   if (ranks.empty()) return result;
   result.weights = weights_of(ranks, options.cost_per_nat);
   Summation(sizes, ranks, result.weights).finish(sizes, result);

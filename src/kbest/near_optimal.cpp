@@ -8,12 +8,11 @@
 #include "core/component.hpp"
 #include "core/shift.hpp"
 #include "decompose/components.hpp"
-#include "kbest/adopt.hpp"
 #include "kbest/packing_buffer.hpp"
 #include "kbest/packing_sums.hpp"
 #include "kbest/partial_branch_and_bound.hpp"
-#include "kbest/ranker.hpp"
 #include "kbest/ranking_progress.hpp"
+#include "kbest/ranks.hpp"
 #include "solve/solutions.hpp"
 #include "solve/supervision.hpp"
 
@@ -42,6 +41,7 @@ class NearOptimal {
         shift_(core::make_shift(problem, deadline_)) {
     for (const std::vector<Index>& tuple : solution.solutions.front().arcs)
       best_.push_back(static_cast<ArcId>(*problem.find(tuple)));
+    is_searched_.assign(best_.size(), false);
   }
 
   void run() {
@@ -49,7 +49,7 @@ class NearOptimal {
     for (std::size_t c = 0; c < partition.num_components() && !deadline_.reached(); ++c) {
       lists_.push_back(rank(cutter_.cut(problem_, shift_, partition.component(c)), c));
     }
-    lists_.push_back({Packing{best_, 0}});  // where there was no time; its cost makes no difference
+    lists_.push_back({unsearched()});
     take(solutions());
     solution_.stats.solve_seconds += deadline_.seconds();
   }
@@ -58,9 +58,8 @@ class NearOptimal {
   // In arcs of the problem.
   std::vector<Packing> rank(const Component& component, std::size_t c) {
     PackingBuffer buffer(k_);
-    Packing first = core::make_packing(component, core::arcs_from_original(component, best_));
+    Packing first = found_before(component);
     const double before = first.cost;
-    for (const ArcId a : first.arcs) std::erase(best_, component.arc_origin[a]);
     buffer.add(std::move(first));
     PartialBranchAndBound search(options_, k_, deadline_);
     for (Packing& packing : search.rank(component, multipliers(component)))
@@ -75,6 +74,23 @@ class NearOptimal {
       for (ArcId& a : packing.arcs) a = component.arc_origin[a];
     }
     return packings;
+  }
+
+  // What the solution has of a component, and notes that it was searched.
+  Packing found_before(const Component& component) {
+    const std::vector<ArcId> positions = core::positions_in(best_, component.arc_origin);
+    for (const ArcId position : positions) is_searched_[position] = true;
+    return core::make_packing(
+        component, core::positions_in(component.arc_origin, core::at_positions(best_, positions)));
+  }
+
+  // What it has of the components that there was no time for.  The cost makes no difference.
+  Packing unsearched() const {
+    Packing rest;
+    for (std::size_t n = 0; n < best_.size(); ++n) {
+      if (!is_searched_[n]) rest.arcs.push_back(best_[n]);
+    }
+    return rest;
   }
 
   std::vector<double> multipliers(const Component& component) const {
@@ -116,7 +132,8 @@ class NearOptimal {
   const core::Deadline& deadline_;
   const core::Shift shift_;
   core::Cutter cutter_;
-  std::vector<ArcId> best_;  // of the solution, ascending, of components to be searched
+  std::vector<ArcId> best_;                  // of the solution, ascending
+  std::vector<bool> is_searched_;            // [of best_]: its component
   std::vector<std::vector<Packing>> lists_;  // of each component
 };
 

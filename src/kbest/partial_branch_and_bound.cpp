@@ -29,15 +29,6 @@ using recovery::InnerResult;
 using recovery::RecoveryProblem;
 using relax::Alignment;
 
-// What the rows cost when all are left alone.
-double default_cost(const Component& component, const RecoveryProblem& problem) {
-  double cost = 0;
-  for (const ArcId a : problem.default_arc) {
-    if (a != recovery::kNoArc) cost += component.costs[a];
-  }
-  return cost;
-}
-
 // The multipliers of an alignment, by slot of the component.
 std::vector<double> multipliers(const Component& component, const Alignment& alignment) {
   std::vector<double> u(component.num_slots(), 0.0);
@@ -108,8 +99,7 @@ std::vector<Alignment> PartialBranchAndBound::best_assignments(const Component& 
   Assign2dResult answer;
   while (static_cast<int>(alignments.size()) < options_.ranking.branches && !deadline_.reached() &&
          ranking.next(answer)) {
-    Alignment& next = alignments.emplace_back(best);
-    next.cells = function.cells_of(answer);
+    alignments.push_back({function.cells_of(answer), best.point, best.value, best.violation});
   }
   return alignments;
 }
@@ -124,7 +114,7 @@ std::vector<Packing> PartialBranchAndBound::follow(const Stage& stage,
   const std::vector<Component> parts = recovery::cut_parts(problem, deadline_);
   const std::vector<double> u = multipliers(stage.component, alignment);
   std::vector<InnerResult> inner;
-  double lower = default_cost(stage.component, problem);
+  double lower = recovery::recovered_packing(stage.component, problem, {}).cost;
   for (const Component& part : parts) {
     inner.push_back(recovery::maximize_inner(
         {stage.component, problem, part}, u, options_.relaxation, deadline_));

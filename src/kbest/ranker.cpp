@@ -9,6 +9,7 @@
 #include "core/component.hpp"
 #include "core/slices.hpp"
 #include "decompose/components.hpp"
+#include "kbest/ranks.hpp"
 #include "kbest/sums.hpp"
 #include "solve/component_solver.hpp"
 #include "solve/costs.hpp"
@@ -62,13 +63,6 @@ std::size_t hash_of(const std::vector<ArcId>& arcs) {
 }
 
 }  // namespace
-
-void sort_by_cost(std::vector<RankedSolution>& ranks, std::size_t first) {
-  std::stable_sort(
-      ranks.begin() + static_cast<std::ptrdiff_t>(first),
-      ranks.end(),
-      [](const RankedSolution& a, const RankedSolution& b) { return a.cost < b.cost; });
-}
 
 Ranker::Ranker(const Problem& problem, const Solution& solution)
     : problem_(problem), solution_(solution) {}
@@ -243,7 +237,7 @@ void Ranker::append(std::vector<std::vector<ArcId>> found) {
     arcs_.push_back(std::move(arcs));
   }
   sort_by_cost(listed_, before);
-  for (std::size_t r = 0; r < listed_.size(); ++r) listed_[r].rank = static_cast<int>(r) + 1;
+  number(listed_);
 }
 
 std::vector<RankedSolution> Ranker::unlisted(std::size_t skipped,

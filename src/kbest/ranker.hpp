@@ -15,9 +15,6 @@
 
 namespace nda::kbest {
 
-/// All from number `first` on; those of equal cost keep their order.
-void sort_by_cost(std::vector<RankedSolution>& ranks, std::size_t first = 0);
-
 struct RankLimits {
   std::int64_t max_nodes = 0;
   core::Deadline deadline;

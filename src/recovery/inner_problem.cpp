@@ -16,31 +16,25 @@ namespace {
 using core::ArcId;
 using core::Component;
 
-// The arcs of the inner problem, ascending.
-std::vector<ArcId> inner_arcs(const RecoveryPart& from) {
-  std::vector<ArcId> arcs;
-  Index last = 0;
-  for (const ArcId in_problem : from.part.arc_origin) {
-    const Index row = from.problem.component.index(0, in_problem);
-    if (row != last && from.problem.default_arc[row] != kNoArc)
-      arcs.push_back(from.problem.default_arc[row]);
-    last = row;
-    arcs.push_back(from.problem.component.arc_origin[in_problem]);
-  }
-  return arcs;
-}
+struct Inner {
+  std::vector<ArcId> arcs;  // ascending
+  double default_cost = 0;  // with every row left alone: the recovery problem does not count it
+};
 
-// What the part costs with every row left alone: the recovery problem does not count it.
-double default_cost(const RecoveryPart& from) {
-  double cost = 0;
+Inner inner_of(const RecoveryPart& from) {
+  Inner inner;
   Index last = 0;
   for (const ArcId in_problem : from.part.arc_origin) {
     const Index row = from.problem.component.index(0, in_problem);
-    const ArcId arc = from.problem.default_arc[row];
-    if (row != last && arc != kNoArc) cost += from.component.costs[arc];
+    const ArcId default_arc = from.problem.default_arc[row];
+    if (row != last && default_arc != kNoArc) {
+      inner.arcs.push_back(default_arc);
+      inner.default_cost += from.component.costs[default_arc];
+    }
     last = row;
+    inner.arcs.push_back(from.problem.component.arc_origin[in_problem]);
   }
-  return cost;
+  return inner;
 }
 
 // Multipliers of the part, those of its rows 0: dimension d of the recovery problem is dimension
@@ -60,14 +54,15 @@ InnerResult maximize_inner(const RecoveryPart& from,
                            const RelaxationOptions& options,
                            const core::Deadline& deadline) {
   core::Cutter cutter;
-  const Component inner = cutter.cut(from.component, inner_arcs(from));
+  const Inner inner = inner_of(from);
+  const Component component = cutter.cut(from.component, inner.arcs);
   relax::LagrangianOptions loop = relax::loop_options(options, deadline);
   loop.max_evaluations = std::max(1, options.inner_evaluations);
   const relax::LagrangianResult found =
-      relax::maximize_dual(inner, core::restrict_slots(from.component, u, inner), loop, {});
+      relax::maximize_dual(component, core::restrict_slots(from.component, u, component), loop, {});
   std::vector<double> component_u(u.begin(), u.end());
-  if (!found.u.empty()) core::extend_slots(inner, found.u, from.component, component_u);
-  return {found.lower - default_cost(from), of_part(from, component_u)};
+  if (!found.u.empty()) core::extend_slots(component, found.u, from.component, component_u);
+  return {found.lower - inner.default_cost, of_part(from, component_u)};
 }
 
 }  // namespace nda::recovery

@@ -119,7 +119,6 @@ core::Packing recovered_packing(const Component& component,
     if (!covered[j] && problem.default_arc[j] != kNoArc)
       recovered.push_back(problem.default_arc[j]);
   }
-  std::sort(recovered.begin(), recovered.end());
   return core::make_packing(component, std::move(recovered));
 }
 

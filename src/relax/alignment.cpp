@@ -20,9 +20,10 @@ void AlignmentPool::offer(std::span<const std::uint32_t> cells,
   };
   const std::size_t place =
       static_cast<std::size_t>(std::ranges::find_if(best_, is_worse) - best_.begin());
+  if (place >= capacity_) return;
   const std::size_t same =
       static_cast<std::size_t>(std::ranges::find_if(best_, is_same) - best_.begin());
-  if (same < place || place >= capacity_) return;
+  if (same < place) return;
   // The one that goes leaves its memory to the new one.
   if (same == best_.size() && best_.size() < capacity_) best_.emplace_back();
   const auto gone = best_.begin() + static_cast<std::ptrdiff_t>(std::min(same, best_.size() - 1));

@@ -1,9 +1,7 @@
-#include "kbest/adopt.hpp"
+#include "kbest/ranks.hpp"
 
 #include <algorithm>
 #include <cmath>
-
-#include "kbest/ranker.hpp"
 
 namespace nda::kbest {
 namespace {
@@ -27,12 +25,29 @@ void take_cost(Solution& solution, RankedSolution& first) {
 
 }  // namespace
 
+void sort_by_cost(std::vector<RankedSolution>& ranks, std::size_t first) {
+  std::stable_sort(
+      ranks.begin() + static_cast<std::ptrdiff_t>(first),
+      ranks.end(),
+      [](const RankedSolution& a, const RankedSolution& b) { return a.cost < b.cost; });
+}
+
+void number(std::vector<RankedSolution>& ranks) {
+  for (std::size_t r = 0; r < ranks.size(); ++r) ranks[r].rank = static_cast<int>(r) + 1;
+}
+
+std::size_t num_proven(std::span<const RankedSolution> ranks) {
+  const auto end = std::find_if_not(
+      ranks.begin(), ranks.end(), [](const RankedSolution& rank) { return rank.proven; });
+  return static_cast<std::size_t>(end - ranks.begin());
+}
+
 void adopt(Solution& solution, std::vector<RankedSolution> ranks) {
   if (!solution.proven) {
     sort_by_cost(ranks);
     take_cost(solution, ranks.front());
   }
-  for (std::size_t r = 0; r < ranks.size(); ++r) ranks[r].rank = static_cast<int>(r) + 1;
+  number(ranks);
   solution.solutions = std::move(ranks);
 }
 

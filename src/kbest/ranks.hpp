@@ -1,10 +1,23 @@
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "nda/solution.hpp"
 
 namespace nda::kbest {
+
+// Lists of solutions.
+
+/// All from number `first` on; those of equal cost keep their order.
+void sort_by_cost(std::vector<RankedSolution>& ranks, std::size_t first = 0);
+
+/// Numbers them from 1 on.
+void number(std::vector<RankedSolution>& ranks);
+
+/// How many of the first are proven.
+std::size_t num_proven(std::span<const RankedSolution> ranks);
 
 /// Makes `ranks`, which are not empty, the solutions of `solution`, numbered as they come.  Where
 /// its first was not proven, the best of them may be better: then they are sorted, cost and bound
