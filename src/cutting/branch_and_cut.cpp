@@ -26,12 +26,20 @@ BranchAndCut::BranchAndCut(const core::Component& component,
       cutoff_(cutoff),
       limits_(limits),
       offer_(std::move(offer)),
-      branching_(component, master, limits.deadline) {}
+      branching_(component, master, limits.deadline),
+      first_pivots_(master.simplex_iterations()) {}
 
-BranchAndCutResult BranchAndCut::run() {
+BranchAndCutResult BranchAndCut::run(const OpenNode& node,
+                                     std::size_t steps,
+                                     double handover_work) {
+  handover_work_ = handover_work;
+  for (std::size_t s = steps; s < node.path.size(); ++s) branching_.descend(node.path[s]);
+  path_ = node.path;
+  pauses_ = node.pauses;
   BranchAndCutResult result;
-  result.lower = explore(0, -kInfinity);
-  result.complete = result.lower >= cutoff_;
+  result.lower = explore(static_cast<int>(path_.size()), node.lower);
+  result.complete = result.lower >= cutoff_ && open_.empty();
+  result.open = std::move(open_);
   result.exhaustive = exhaustive_;
   result.nodes = num_nodes();
   result.tree_nodes = tree_nodes_;
@@ -63,11 +71,16 @@ double BranchAndCut::explore(int depth, double inherited) {
   double least = kInfinity;
   for (const bool together : {together_first, !together_first}) {
     if (stopped()) return leave(lower);
+    path_.push_back({choice.pair, together});
     const auto explore_child = [&] { least = std::min(least, explore(depth + 1, lower)); };
-    if (together)
+    if (work() >= handover_work_)
+      open_.push_back(
+          {path_, lower, pauses_, limits_.proof != nullptr ? limits_.proof->size() : 0});
+    else if (together)
       branching_.together(choice.pair, explore_child);
     else
       branching_.apart(choice.pair, explore_child);
+    path_.pop_back();
   }
   return least;
 }
@@ -89,15 +102,15 @@ CutLoopEnd BranchAndCut::tighten(int depth) {
     return cutoff_ = offer_(master, packing);
   };
   const std::int64_t pivots = depth == 0 ? 0 : master_.simplex_iterations();
-  LeafSearch leaf(component_, leaf_limits(), pivots, offer, &clique_pause_);
-  if (depth == 0 || !leaf_pause_.skip()) loop.leaf = &leaf;
+  LeafSearch leaf(component_, leaf_limits(), pivots, offer, &pauses_.cliques);
+  if (depth == 0 || !pauses_.slack.skip()) loop.leaf = &leaf;
   const auto round = [&](const Master& master) {
     if (depth == 0) offer(master, nullptr);
     return cutoff_;
   };
   const CutLoopEnd end = run_cut_loop(component_, master_, loop, round);
   search_nodes_ += leaf.nodes();
-  if (leaf.nodes() > 0) leaf_pause_.note(end == CutLoopEnd::kSearched);
+  if (leaf.nodes() > 0) pauses_.slack.note(end == CutLoopEnd::kSearched);
   return end;
 }
 
@@ -111,7 +124,8 @@ LeafLimits BranchAndCut::leaf_limits() const {
 }
 
 double BranchAndCut::work() const {
-  return work_of_pivots(master_.simplex_iterations(), component_.num_slots()) + search_work_;
+  return work_of_pivots(master_.simplex_iterations() - first_pivots_, component_.num_slots()) +
+         search_work_;
 }
 
 // Nodes that a limit leaves unexplored.

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "core/clock.hpp"
 #include "core/component.hpp"
@@ -14,6 +15,22 @@
 
 namespace nda::cutting {
 
+/// How long to do without searches that ended no nodes lately.
+struct LeafPauses {
+  static constexpr int kLongest = 31;  // nodes in a row
+
+  core::Pause slack{kLongest};
+  core::Pause cliques{kLongest};
+};
+
+/// A node of the tree that somebody else is to explore.
+struct OpenNode {
+  std::vector<PairBranching::Step> path;  ///< from the root
+  double lower = -kInfinity;              ///< what its parent proves for it
+  LeafPauses pauses;
+  std::size_t proof_size = 0;  ///< BranchAndCutLimits::proof had so many steps: its own go there
+};
+
 struct BranchAndCutLimits {
   std::int64_t max_nodes = 0;
   int root_rounds = 200;
@@ -22,6 +39,8 @@ struct BranchAndCutLimits {
   int node_rounds = 3;
   bool thorough = true;                      ///< CutLoopOptions::thorough at the root
   double leaf_work = LeafLimits{}.max_work;  ///< LeafLimits::max_work of a node
+  /// Packings are to be cheaper than the best by so much: what a cutoff stands below it.
+  double margin = 0;
   core::Deadline deadline;
   ProofLog* proof = nullptr;  ///< where to write down the tree; whole if the search is exhaustive
   /// Called before every branching with the nodes and the work so far, a chance to look for better
@@ -31,12 +50,14 @@ struct BranchAndCutLimits {
 
 /// What came out of branch and cut.
 struct BranchAndCutResult {
-  double lower = -kInfinity;    ///< no packing of live arcs is cheaper than this and the cutoff
+  double lower = -kInfinity;    ///< no packing of live arcs is cheaper than this and the cutoff,
+                                ///< but for those of open nodes
   bool complete = false;        ///< no packing is cheaper than the last cutoff
   bool exhaustive = true;       ///< no node was left unexplored
   std::int64_t nodes = 0;       ///< those of searches included
   std::int64_t tree_nodes = 0;  ///< without them
   double work = 0;              ///< (bnb::SlackLimits)
+  std::vector<OpenNode> open;   ///< those handed over, in order of the tree
 };
 
 /// Branch and cut over the live arcs of `master`: bounds by its linear relaxation, tightened by
@@ -51,7 +72,12 @@ class BranchAndCut {
                const BranchAndCutLimits& limits,
                PackingOffer offer);
 
-  BranchAndCutResult run();
+  /// Below a node, by default the root.  `master` is then where so many steps of the node's path
+  /// lead, and in the end where all of them do.
+  /// @param handover_work  from this work on (bnb::SlackLimits) nodes are left open.
+  BranchAndCutResult run(const OpenNode& node = {},
+                         std::size_t steps = 0,
+                         double handover_work = kInfinity);
 
  private:
   double explore(int depth, double inherited);
@@ -65,19 +91,20 @@ class BranchAndCut {
   std::int64_t num_nodes() const { return tree_nodes_ + search_nodes_; }
   double leave(double lower);
 
-  static constexpr int kLongestLeafPause = 31;  // nodes that are not searched in a row
-
   const core::Component& component_;
   Master& master_;
   double cutoff_;
   const BranchAndCutLimits& limits_;
   PackingOffer offer_;
   PairBranching branching_;
+  std::vector<PairBranching::Step> path_;  // to the node that is being explored
+  std::vector<OpenNode> open_;
+  double handover_work_ = kInfinity;
+  const std::int64_t first_pivots_;
   std::int64_t tree_nodes_ = 0;
   std::int64_t search_nodes_ = 0;
   double search_work_ = 0;  // of separation, too
-  core::Pause leaf_pause_{kLongestLeafPause};
-  core::Pause clique_pause_{kLongestLeafPause};
+  LeafPauses pauses_;
   bool exhaustive_ = true;
 };
 

@@ -72,6 +72,12 @@ PairBranching::Choice PairBranching::choose(std::vector<Pair> pairs, double cuto
   return best;
 }
 
+void PairBranching::descend(const Step& step) {
+  if (!step.is_together) return master_.forbid(arcs_of_both(step.pair));
+  master_.forbid(arcs_of_one(step.pair));
+  master_.force(step.pair.first);
+}
+
 bool PairBranching::uses(ArcId a, std::uint32_t slot) const {
   bool found = false;
   core::for_each_slot(component_, a, [&](std::uint32_t s) { found = found || s == slot; });

@@ -30,10 +30,19 @@ class PairBranching {
     double apart;
   };
 
+  /// One step down the tree: the pair, and which child.
+  struct Step {
+    Pair pair;
+    bool is_together;
+  };
+
   /// The pairs that the last point of the master uses together, but neither always nor never.
   std::vector<Pair> fractional_pairs() const;
   /// The pair whose children promise most.  @param pairs  not empty.
   Choice choose(std::vector<Pair> pairs, double cutoff);
+
+  /// Goes one step down for good.
+  void descend(const Step& step);
 
   /// Calls visit() while one arc must use both.
   template <typename Visit>

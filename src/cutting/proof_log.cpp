@@ -9,6 +9,51 @@
 // was entered last keep their charge.
 
 namespace nda::cutting {
+namespace {
+
+// Strings steps of several logs together, each of which says only how its multipliers change.
+class Weaver {
+ public:
+  explicit Weaver(std::size_t num_positions) : told_(num_positions, 0.0) {}
+
+  // `state`: multipliers of the step's log before it, and after.
+  void append(const ProofStep& step, std::vector<double>& state) {
+    steps_.push_back(step);
+    const bool has_point = step.rule != ProofRule::kTogether && step.rule != ProofRule::kApart;
+    if (!has_point) return;
+    for (const auto [position, value] : step.point.changes) state[position] = value;
+    std::vector<ProofMultiplier>& changes = steps_.back().point.changes;
+    if (last_ != &state) changes = changes_to(state);
+    last_ = &state;
+    for (const auto [position, value] : changes) told_[position] = value;
+  }
+
+  void append_all(const std::vector<ProofStep>& steps) {
+    std::vector<double> state(told_.size(), 0.0);
+    for (const ProofStep& step : steps) append(step, state);
+    if (last_ == &state) last_ = nullptr;
+  }
+
+  std::vector<ProofStep> take(std::vector<double>& told) {
+    told = std::move(told_);
+    return std::move(steps_);
+  }
+
+ private:
+  std::vector<ProofMultiplier> changes_to(const std::vector<double>& state) const {
+    std::vector<ProofMultiplier> changes;
+    for (std::uint32_t p = 0; p < state.size(); ++p) {
+      if (state[p] != told_[p]) changes.push_back({p, state[p]});
+    }
+    return changes;
+  }
+
+  std::vector<double> told_;                   // multipliers after the steps so far
+  const std::vector<double>* last_ = nullptr;  // whose they are
+  std::vector<ProofStep> steps_;
+};
+
+}  // namespace
 
 ProofLog::ProofLog(const core::Component& component, std::vector<double> base, double slack)
     : slack_(slack) {
@@ -39,6 +84,31 @@ void ProofLog::cut_back(std::size_t size) {
   for (const ProofStep& step : part_.steps) {
     for (const auto [position, value] : step.point.changes) multipliers_[position] = value;
   }
+}
+
+ProofLog ProofLog::fork() const {
+  ProofLog fork;
+  fork.base_ = base_;
+  fork.multipliers_.assign(base_.size(), 0.0);
+  fork.position_of_ = position_of_;
+  fork.position_ = position_;
+  fork.constant_ = constant_;
+  fork.slack_ = slack_;
+  return fork;
+}
+
+void ProofLog::graft(std::span<const Graft> grafts) {
+  Weaver weaver(base_.size());
+  const std::vector<ProofStep> own = std::move(part_.steps);
+  std::vector<double> state(base_.size(), 0.0);
+  std::size_t next = 0;
+  for (const Graft& graft : grafts) {
+    for (; next < graft.place; ++next) weaver.append(own[next], state);
+    weaver.append_all(graft.fork->part_.steps);
+    graft.fork->part_.steps = {};
+  }
+  for (; next < own.size(); ++next) weaver.append(own[next], state);
+  part_.steps = weaver.take(multipliers_);
 }
 
 ProofPoint ProofLog::point(std::span<const double> u) {

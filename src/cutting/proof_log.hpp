@@ -38,10 +38,21 @@ class ProofLog {
   /// Forgets all steps from number `size` on.
   void cut_back(std::size_t size);
 
+  /// A log without steps, for a subtree that is explored apart.
+  ProofLog fork() const;
+  /// Inserts the steps of a fork, which are then gone from it, before the step of this number.
+  struct Graft {
+    std::size_t place;
+    ProofLog* fork;
+  };
+  /// @param grafts  places ascend.
+  void graft(std::span<const Graft> grafts);
+
   /// Gives the steps away.
   ProofPart take() { return std::move(part_); }
 
  private:
+  ProofLog() = default;
   ProofPoint point(std::span<const double> u);
   ProofPoint point(const Master& master, std::span<const double> u);
   double unshifted(double threshold) const { return threshold + constant_ - slack_; }
@@ -51,7 +62,7 @@ class ProofLog {
   std::vector<std::vector<std::uint32_t>> position_of_;  // [dimension of the problem][its index]
   std::vector<std::uint32_t> position_;                  // by slot, of what was entered last
   double constant_ = 0;
-  double slack_;
+  double slack_ = 0;
   ProofPart part_;
 };
 

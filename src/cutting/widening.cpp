@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "cutting/branch_and_cut.hpp"
 #include "cutting/cut_loop.hpp"
 #include "cutting/leaf_search.hpp"
 
@@ -150,6 +149,7 @@ class Widening {
     limits.root_patterns = kAllPatterns;
     limits.thorough = cuts_pay();
     if (!limits.thorough) limits.node_patterns = 0;
+    limits.margin = limits_.margin;
     limits.deadline = limits_.deadline;
     limits.proof = limits_.proof;
     limits.pause = [&](std::int64_t nodes, double work) {
@@ -161,12 +161,12 @@ class Widening {
       }
       return std::min(cutoff_, target);
     };
-    BranchAndCut tree(
-        within, circle, target, limits, [&](const Master& point, const core::Packing* packing) {
-          cutoff_ = observer_.offer(point, packing);
-          return std::min(cutoff_, target);
-        });
-    const BranchAndCutResult found = tree.run();
+    const PackingOffer offer = [&](const Master& point, const core::Packing* packing) {
+      cutoff_ = observer_.offer(point, packing);
+      return std::min(cutoff_, target);
+    };
+    const BranchAndCutResult found =
+        search_tree(within, circle, target, limits, offer, limits_.for_all);
     if (limits_.proof != nullptr) limits_.proof->enter(component_);
     result_.nodes += found.nodes;
     last_tree_nodes_ = found.tree_nodes;

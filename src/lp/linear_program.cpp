@@ -70,15 +70,25 @@ struct LinearProgram::Clp {
 };
 
 LinearProgram::LinearProgram() : clp_(std::make_unique<Clp>()) {
-  const DeadlineEvent event(&clp_->deadline);
-  clp_->simplex.passInEventHandler(&event);
+  watch_deadline();
   clp_->simplex.setLogLevel(0);
   clp_->simplex.setDualTolerance(kTolerance);
   clp_->simplex.setPrimalTolerance(kTolerance);
   clp_->simplex.resize(0, 0);
 }
 
+LinearProgram::LinearProgram(const LinearProgram& other)
+    : clp_(std::make_unique<Clp>(*other.clp_)), iterations_(other.iterations_) {
+  watch_deadline();
+}
+
 LinearProgram::~LinearProgram() = default;
+
+// The simplex method calls a copy of this object.
+void LinearProgram::watch_deadline() {
+  const DeadlineEvent event(&clp_->deadline);
+  clp_->simplex.passInEventHandler(&event);
+}
 
 void LinearProgram::add_empty_rows(int count) {
   hand_over();

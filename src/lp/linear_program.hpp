@@ -35,7 +35,8 @@ class LinearProgram {
  public:
   LinearProgram();
   ~LinearProgram();
-  LinearProgram(const LinearProgram&) = delete;
+  /// With its basis.
+  LinearProgram(const LinearProgram& other);
   LinearProgram& operator=(const LinearProgram&) = delete;
 
   /// Appends rows sum of nothing <= 1.
@@ -71,6 +72,7 @@ class LinearProgram {
   void set_basis(const std::vector<unsigned char>& basis);
 
  private:
+  void watch_deadline();
   void hand_over();
   void hand_over_rows();
   void hand_over_columns();

@@ -17,6 +17,7 @@
 #include "recovery/recovery.hpp"
 #include "recovery/recursive.hpp"
 #include "relax/lagrangian.hpp"
+#include "solve/parallel.hpp"
 
 // The order of work on one component follows what was measured (docs/pipeline.md): enumerate the
 // small ones; relax to two dimensions, recovering on the way; improve the best packing; drop what
@@ -201,9 +202,13 @@ void ComponentSolver::branch_and_cut() {
   core::Cutter cutter;
   const Component core = cutter.cut(component_, live);
   const std::vector<double> u = core::restrict_slots(component_, state_.u, core);
-  const auto goal = [&] { return state_.best.cost - std::max(precision_.margin, allowed_gap_); };
   cutting::WideningLimits limits;
+  limits.margin = std::max(precision_.margin, allowed_gap_);
+  const auto goal = [&] { return state_.best.cost - limits.margin; };
   limits.cutoff = goal();
+  limits.for_all = [&](std::size_t count, const std::function<void(std::size_t)>& work) {
+    pipeline::for_all(count, options_.num_threads, [&](std::size_t i, std::size_t) { work(i); });
+  };
   limits.max_nodes = options_.branch.max_nodes - state_.nodes;
   limits.deadline = deadline_;
   limits.proof = proof_;

@@ -12,6 +12,22 @@
 
 namespace nda::pipeline {
 
+namespace {
+
+// Whether this thread is at work on calls already.  Calls within calls are shared with those
+// threads that have nothing else to do, and a thread that waits for them takes up no other work.
+struct Within {
+  Within() { is_within = true; }
+  ~Within() { is_within = before; }
+
+  static thread_local bool is_within;
+  const bool before = is_within;
+};
+
+thread_local bool Within::is_within = false;
+
+}  // namespace
+
 // One thread, the default, must not cost the start of oneTBB.  More threads than cores would gain
 // nothing, and oneTBB would say so on standard error.
 int num_workers(int num_threads) {
@@ -30,6 +46,7 @@ void for_all(std::size_t count,
   }
   std::atomic<std::size_t> next = 0;
   const auto work = [&](int) {
+    const Within within;
     const auto worker = static_cast<std::size_t>(tbb::this_task_arena::current_thread_index());
     try {
       for (;;) {
@@ -43,8 +60,11 @@ void for_all(std::size_t count,
     }
   };
   const int workers = num_workers(num_threads);
-  tbb::task_arena(workers).execute(
-      [&] { tbb::parallel_for(0, workers, 1, work, tbb::simple_partitioner()); });
+  const auto share = [&] { tbb::parallel_for(0, workers, 1, work, tbb::simple_partitioner()); };
+  if (Within::is_within)
+    tbb::this_task_arena::isolate(share);
+  else
+    tbb::task_arena(workers).execute(share);
 }
 
 }  // namespace nda::pipeline

@@ -11,7 +11,8 @@ int num_workers(int num_threads);
 /// Calls call(context, i, worker) for every i < count on up to num_workers(num_threads) threads,
 /// the numbers handed out one by one, in ascending order; worker < num_workers(num_threads) names
 /// the thread.  Returns when all calls have.  The first exception that a call throws is thrown on,
-/// and the calls that have not begun by then are left out.
+/// and the calls that have not begun by then are left out.  Calls may call for_all: what that hands
+/// out goes to the threads that have run out of calls.
 void for_all(std::size_t count,
              int num_threads,
              void* context,

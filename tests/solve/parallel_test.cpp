@@ -35,6 +35,23 @@ TEST(ForAll, HandsNumbersOutInAscendingOrder) {
   }
 }
 
+// A thread that waits for the calls within a call takes up no other call meanwhile.
+TEST(ForAll, ServesCallsWithinCalls) {
+  static thread_local bool is_within = false;
+  for (const int threads : {1, 2, 5}) {
+    std::vector<std::atomic<int>> calls(20 * 50);
+    std::atomic<int> mixed = 0;
+    for_all(20, threads, [&](std::size_t i, std::size_t) {
+      if (is_within) ++mixed;
+      is_within = true;
+      for_all(50, threads, [&](std::size_t j, std::size_t) { ++calls[50 * i + j]; });
+      is_within = false;
+    });
+    for (const std::atomic<int>& number : calls) ASSERT_EQ(number, 1);
+    EXPECT_EQ(mixed, 0);
+  }
+}
+
 TEST(ForAll, ThrowsOnWhatACallThrowsAndLeavesOutTheRest) {
   for (const int threads : {1, 2}) {
     std::atomic<int> calls = 0;
