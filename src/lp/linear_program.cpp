@@ -59,6 +59,19 @@ struct Collected {
 }  // namespace
 
 struct LinearProgram::Clp {
+  Clp() = default;
+  // The model and its basis.  ClpSimplex's own copying takes along the weights of its pricing, and
+  // reads beyond their end where columns came since they were made.
+  Clp(const Clp& other)
+      : simplex(static_cast<const ClpModel&>(other.simplex)),
+        rows(other.rows),
+        right_side(other.right_side),
+        columns(other.columns),
+        cost(other.cost),
+        upper(other.upper) {
+    simplex.setWhatsChanged(0);  // its working arrays are yet to be made
+  }
+
   ClpSimplex simplex;
   const core::Deadline* deadline = nullptr;  // of the run
   // At most one of the two is not empty.
@@ -71,7 +84,6 @@ struct LinearProgram::Clp {
 
 LinearProgram::LinearProgram() : clp_(std::make_unique<Clp>()) {
   watch_deadline();
-  clp_->simplex.setLogLevel(0);
   clp_->simplex.setDualTolerance(kTolerance);
   clp_->simplex.setPrimalTolerance(kTolerance);
   clp_->simplex.resize(0, 0);
@@ -84,10 +96,10 @@ LinearProgram::LinearProgram(const LinearProgram& other)
 
 LinearProgram::~LinearProgram() = default;
 
-// The simplex method calls a copy of this object.
 void LinearProgram::watch_deadline() {
   const DeadlineEvent event(&clp_->deadline);
   clp_->simplex.passInEventHandler(&event);
+  clp_->simplex.setLogLevel(0);
 }
 
 void LinearProgram::add_empty_rows(int count) {

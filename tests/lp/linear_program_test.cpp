@@ -108,6 +108,27 @@ TEST(LinearProgram, ComesBackToABasis) {
   EXPECT_NEAR(program.objective(), -1.5, 1e-9);
 }
 
+// A copy taken at any moment goes on by itself, and bounds may change before it is solved.
+TEST(LinearProgram, IsCopiedWithWhatWasJustAdded) {
+  LinearProgram program;
+  make_triangle(program);
+  ASSERT_EQ(program.solve_primal(kNever), Outcome::kOptimal);
+  add(program, {0, 1, 2}, -2);
+  LinearProgram copy = program;
+  copy.set_upper(3, 0);
+  const std::array columns = {0, 1, 2};
+  const std::array<double, 3> ones = {1, 1, 1};
+  program.add_row({columns, ones}, 0.5);
+  LinearProgram other = program;
+  ASSERT_EQ(copy.solve_primal(kNever), Outcome::kOptimal);
+  EXPECT_NEAR(copy.objective(), -1.5, 1e-9);
+  other.set_equality(3, true);
+  ASSERT_EQ(other.solve_primal(kNever), Outcome::kOptimal);
+  EXPECT_NEAR(other.objective(), -11.0 / 6, 1e-9);  // a sixth of each pair, 2/3 of all three
+  ASSERT_EQ(program.solve_primal(kNever), Outcome::kOptimal);
+  EXPECT_NEAR(program.objective(), -2, 1e-9);
+}
+
 TEST(LinearProgram, ABasisKnowsRowsJustAdded) {
   LinearProgram program;
   program.add_empty_rows(2);
