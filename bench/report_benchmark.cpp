@@ -72,7 +72,7 @@ Run relax_and_recover(const Component& component, int steps, double tolerance, i
   Run run;
   const std::clock_t begin = std::clock();
   const auto result =
-      nda::relax::maximize_dual(component, {}, loop, [&](const nda::relax::DualFunction& point) {
+      nda::relax::maximize_dual(component, {}, loop, [&](const nda::relax::RelaxedDual& point) {
         return nda::recovery::recover_recursively(component, point, recovery, {});
       });
   run.seconds = seconds_since(begin);

@@ -28,6 +28,14 @@ enum class AlignmentRule {
   kLeastViolation,  ///< that of the shortest subgradient; of several, the best multipliers
 };
 
+/// Which sets a relaxation keeps: the first in this order (docs/relaxations.md).
+enum class SetOrder {
+  kAsGiven,
+  kLargestFirst,          ///< by the number of indices: the fewest multipliers
+  kMostConflictingFirst,  ///< by how many pairs of arcs share an index of the set
+  kProbe,                 ///< the choice of best bound after a few evaluations
+};
+
 /// How a component is solved.
 enum class Method {
   kAuto,        ///< small ones exactly, large ones by relaxation, fixing and branching
@@ -42,8 +50,27 @@ enum class Reductions {
   kAll,    ///< and dominated arcs, and parts that hang on one index
 };
 
-/// Lagrangian relaxation to two dimensions (report, sections 3 and 4).
+/// Lagrangian relaxation (report, sections 3 and 4; docs/relaxations.md).
 struct RelaxationOptions {
+  /// m, the sets that are kept, of N never more than N - 1; in [0, 64].  With three and more the
+  /// relaxed problems are assignment problems of m dimensions, relaxed to min(kept_sets, m - 1).
+  /// Recovery problems keep two.
+  int kept_sets = 2;
+  /// Relaxed problems of three and more dimensions: solved exactly up to so many arcs, with at most
+  /// so many nodes (>= 0) each time; else by so many evaluations (>= 1) from the last multipliers.
+  std::size_t kept_exact_arcs = 2000;
+  std::int64_t kept_nodes = 100000;
+  int kept_evaluations = 20;
+  /// With three and more kept sets: maximise the dual function of two first, and begin at its
+  /// multipliers, where theirs is at least as large (4.2b).
+  bool two_first = true;
+  /// Guide the nonsmooth steps by what relaxed problems not solved exactly are proven to cost, the
+  /// merit function (4.5), and not by what their best known packing costs.
+  bool merit = true;
+  /// Split problems, relaxed problems and recovery problems into connected components (4.7).
+  bool decompose = true;
+  SetOrder set_order = SetOrder::kAsGiven;       ///< of a component: its first sets are kept
+  SetOrder recovery_order = SetOrder::kAsGiven;  ///< the same of recovery problems
   DualMethod dual_method = DualMethod::kBundleTrust;
   Assign2dMethod assign2d = Assign2dMethod::kShortestPath;  ///< evaluates the dual function
   RecoveryMethod recovery = RecoveryMethod::kRecursive;

@@ -13,6 +13,8 @@ namespace {
 // More threads than any machine has cores: beyond that a typing error.
 constexpr double kMostThreads = 1024;
 
+constexpr double kMostSets = 64;
+
 // Of partial branch and bound: more would not end.
 constexpr double kMostBranches = 10000;
 
@@ -125,7 +127,58 @@ void add_general(std::vector<OptionRow>& rows) {
       "write down a proof of the bound"));
 }
 
+void add_kept_sets(std::vector<OptionRow>& rows) {
+  rows.push_back(number<int>(
+      "relaxation.kept_sets",
+      [](auto& options) -> auto& { return options.relaxation.kept_sets; },
+      {0, kMostSets},
+      "sets that the relaxation keeps, of N at most N - 1"));
+  rows.push_back(number<std::size_t>(
+      "relaxation.kept_exact_arcs",
+      [](auto& options) -> auto& { return options.relaxation.kept_exact_arcs; },
+      {},
+      "relaxed problems of three and more sets are solved exactly up to so many arcs"));
+  rows.push_back(number<std::int64_t>(
+      "relaxation.kept_nodes",
+      [](auto& options) -> auto& { return options.relaxation.kept_nodes; },
+      {},
+      "nodes of such a search, each time"));
+  rows.push_back(number<int>(
+      "relaxation.kept_evaluations",
+      [](auto& options) -> auto& { return options.relaxation.kept_evaluations; },
+      {1},
+      "evaluations of the dual function of those that are not"));
+  rows.push_back(choice<bool>(
+      "relaxation.two_first",
+      [](auto& options) -> auto& { return options.relaxation.two_first; },
+      {"false", "true"},
+      "with three and more kept sets begin where the dual function of two is largest"));
+  rows.push_back(choice<bool>(
+      "relaxation.merit",
+      [](auto& options) -> auto& { return options.relaxation.merit; },
+      {"false", "true"},
+      "guide nonsmooth steps by their bounds (the merit function), not by their best packings"));
+  rows.push_back(choice<bool>(
+      "relaxation.decompose",
+      [](auto& options) -> auto& { return options.relaxation.decompose; },
+      {"false", "true"},
+      "split problems, relaxed problems and recovery problems into components"));
+  const std::vector<std::string> orders = {
+      "as_given", "largest_first", "most_conflicting_first", "probe"};
+  rows.push_back(choice<SetOrder>(
+      "relaxation.set_order",
+      [](auto& options) -> auto& { return options.relaxation.set_order; },
+      orders,
+      "the order of the sets of a component, of which the first are kept"));
+  rows.push_back(choice<SetOrder>(
+      "relaxation.recovery_order",
+      [](auto& options) -> auto& { return options.relaxation.recovery_order; },
+      orders,
+      "the same of a recovery problem"));
+}
+
 void add_relaxation(std::vector<OptionRow>& rows) {
+  add_kept_sets(rows);
   rows.push_back(choice<DualMethod>(
       "relaxation.dual_method",
       [](auto& options) -> auto& { return options.relaxation.dual_method; },

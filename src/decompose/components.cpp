@@ -1,5 +1,6 @@
 #include "decompose/components.hpp"
 
+#include <algorithm>
 #include <boost/graph/incremental_components.hpp>
 #include <boost/pending/disjoint_sets.hpp>
 #include <cstdint>
@@ -102,6 +103,11 @@ Partition partition_arcs(std::span<const Dimension> dimensions,
 }
 
 }  // namespace
+
+void join(Partition& partition) {
+  std::sort(partition.arcs.begin(), partition.arcs.end());
+  if (!partition.arcs.empty()) partition.start = {0, partition.arcs.size()};
+}
 
 Partition partition(const core::Component& component, const core::Deadline& deadline) {
   std::vector<Dimension> dimensions;

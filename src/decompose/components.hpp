@@ -30,6 +30,9 @@ Partition partition(const Problem& problem,
                     const core::Shift& shift,
                     const core::Deadline& deadline = {});
 
+/// Makes one component of them all.
+void join(Partition& partition);
+
 /// The connected components of a component; all its arcs count.
 Partition partition(const core::Component& component, const core::Deadline& deadline = {});
 

@@ -111,7 +111,8 @@ std::vector<Packing> PartialBranchAndBound::follow(const Stage& stage,
   ++work_.branches;
   const RecoveryProblem problem =
       recovery::make_recovery_problem(stage.component, stage.cells, alignment.cells, deadline_);
-  const std::vector<Component> parts = recovery::cut_parts(problem, deadline_);
+  const std::vector<Component> parts =
+      recovery::cut_parts(problem, deadline_, options_.relaxation.decompose);
   const std::vector<double> u = multipliers(stage.component, alignment);
   std::vector<InnerResult> inner;
   double lower = recovery::recovered_packing(stage.component, problem, {}).cost;

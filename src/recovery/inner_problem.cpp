@@ -38,11 +38,12 @@ Inner inner_of(const RecoveryPart& from) {
 }
 
 // Multipliers of the part, those of its rows 0: dimension d of the recovery problem is dimension
-// d + 1 of the component.
+// d + m - 1 of the component.
 std::vector<double> of_part(const RecoveryPart& from, std::span<const double> u) {
   std::vector<double> part_u(from.part.num_slots(), 0.0);
+  const auto skipped = static_cast<std::size_t>(from.problem.num_kept) - 1;
   core::for_each_index(from.part, [&](std::uint32_t slot, std::size_t d, Index i) {
-    if (d > 0) part_u[slot] = u[from.component.offset[d + 1] + i];
+    if (d > 0) part_u[slot] = u[from.component.offset[d + skipped] + i];
   });
   return part_u;
 }

@@ -12,7 +12,7 @@ namespace {
 using core::Component;
 using core::Deadline;
 using core::Packing;
-using relax::DualFunction;
+using relax::RelaxedDual;
 
 class RecursiveRecovery : public Recovery {
  public:
@@ -22,7 +22,7 @@ class RecursiveRecovery : public Recovery {
       : component_(component), options_(options), deadline_(deadline) {}
 
   const char* name() const override { return "recursive recovery"; }
-  Packing recover(const DualFunction& point) override {
+  Packing recover(const RelaxedDual& point) override {
     return recover_recursively(component_, point, options_, deadline_);
   }
 
@@ -33,7 +33,7 @@ class RecursiveRecovery : public Recovery {
 };
 
 std::vector<double> feasible_multipliers(const Component& component,
-                                         const DualFunction& point,
+                                         const RelaxedDual& point,
                                          const Deadline& deadline) {
   std::vector<double> u(component.num_slots());
   point.multipliers(u);
@@ -47,7 +47,7 @@ class DualGreedyRecovery : public Recovery {
       : component_(component), deadline_(deadline) {}
 
   const char* name() const override { return "dual-guided greedy"; }
-  Packing recover(const DualFunction& point) override {
+  Packing recover(const RelaxedDual& point) override {
     return dual_greedy(component_, feasible_multipliers(component_, point, deadline_), deadline_);
   }
 
@@ -64,7 +64,7 @@ class LocalSearchRecovery : public Recovery {
       : component_(component), first_(std::move(first)), deadline_(deadline), random_(1) {}
 
   const char* name() const override { return "local search"; }
-  Packing recover(const DualFunction& point) override {
+  Packing recover(const RelaxedDual& point) override {
     const Packing start = first_->recover(point);
     const std::vector<double> u = feasible_multipliers(component_, point, deadline_);
     CoreSearchOptions options;

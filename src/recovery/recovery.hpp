@@ -5,7 +5,7 @@
 #include "core/clock.hpp"
 #include "core/component.hpp"
 #include "nda/options.hpp"
-#include "relax/dual_function.hpp"
+#include "relax/relaxed_dual.hpp"
 
 namespace nda::recovery {
 
@@ -18,7 +18,7 @@ class Recovery {
   virtual const char* name() const = 0;
 
   /// A packing of the component of `point`, from its last evaluation; feasible always, cost <= 0.
-  virtual core::Packing recover(const relax::DualFunction& point) = 0;
+  virtual core::Packing recover(const relax::RelaxedDual& point) = 0;
 };
 
 /// The report's recursive recovery (recovery/recursive.hpp).

@@ -6,13 +6,13 @@
 #include "decompose/components.hpp"
 #include "recovery/packing_state.hpp"
 
-// The relaxed solution covers dimensions 0 and 1 properly and the others not.  The report keeps
-// what is right: every chosen pair (i1, i2) becomes one row j of a problem with one dimension less,
-// whose solution says how the pairs go on.  Arcs of cell (0, 0) stay free whatever the relaxed
-// solution chose (report, before (3.7)). Arcs that are not in the sparse set are simply absent; row
-// j may always stay uncovered, which is the report's c(j 0..0) = sum of singletons, 0 in shifted
-// form. Only after it is formulated can a recovery problem be decomposed (4.7), and it nearly
-// always falls apart: an alignment cuts most connections.
+// The relaxed solution covers the kept dimensions properly and the others not.  The report keeps
+// what is right: every chosen cell (i1 .. im) becomes one row j of a problem of the relaxed
+// dimensions, whose solution says how the cells go on.  Arcs of cell (0 .. 0) stay free whatever
+// the relaxed solution chose (report, before (3.7)). Arcs that are not in the sparse set are simply
+// absent; row j may always stay uncovered, which is the report's c(j 0..0) = sum of singletons, 0
+// in shifted form. Only after it is formulated can a recovery problem be decomposed (4.7), and it
+// nearly always falls apart: an alignment cuts most connections.
 
 namespace nda::recovery {
 namespace {
@@ -21,9 +21,9 @@ using core::ArcId;
 using core::Component;
 using core::Deadline;
 
-// True when all indices from dimension 2 on are dummies.
-bool ends_here(const Component& component, ArcId a) {
-  for (int k = 2; k < component.num_dimensions(); ++k) {
+// True when all indices of relaxed dimensions are dummies.
+bool ends_here(const Component& component, int num_kept, ArcId a) {
+  for (int k = num_kept; k < component.num_dimensions(); ++k) {
     if (component.index(k, a) != 0) return false;
   }
   return true;
@@ -38,7 +38,8 @@ class Builder {
     std::vector<std::uint32_t> rows(aligned.begin(), aligned.end());
     std::sort(rows.begin(), rows.end());
     std::vector<Index> sizes = {static_cast<Index>(rows.size())};
-    sizes.insert(sizes.end(), component_.sizes.begin() + 2, component_.sizes.end());
+    result_.num_kept = cells.num_kept;
+    sizes.insert(sizes.end(), component_.sizes.begin() + cells.num_kept, component_.sizes.end());
     Component& component = result_.component;
     component = core::make_component(std::move(sizes));
     result_.default_arc.assign(rows.size() + 1, kNoArc);
@@ -49,15 +50,17 @@ class Builder {
     });
     const std::span<Index> row = component.indices[0].allocate(row_.size());
     std::copy(row_.begin(), row_.end(), row.begin());
-    for (std::size_t k = 2; k < component_.sizes.size(); ++k) copy_column(k);
+    for (std::size_t k = 1; k < component.sizes.size(); ++k) copy_column(k);
     return std::move(result_);
   }
 
  private:
+  // Of dimension k of the result.
   void copy_column(std::size_t k) {
     const std::vector<ArcId>& arcs = result_.component.arc_origin;
-    const Index* from = component_.indices[k].data();
-    const std::span<Index> to = result_.component.indices[k - 1].allocate(arcs.size());
+    const auto skipped = static_cast<std::size_t>(result_.num_kept) - 1;
+    const Index* from = component_.indices[k + skipped].data();
+    const std::span<Index> to = result_.component.indices[k].allocate(arcs.size());
     for (std::size_t n = 0; n < arcs.size(); ++n) to[n] = from[arcs[n]];
   }
 
@@ -65,7 +68,7 @@ class Builder {
   void add_row(ArcId first, ArcId end, Index j) {
     double base = 0;
     // (j, 0..0) is lexicographically the first arc of its cell.
-    if (ends_here(component_, first)) {
+    if (ends_here(component_, result_.num_kept, first)) {
       base = std::min(0.0, component_.costs[first]);
       if (base < 0) result_.default_arc[j] = first;
       ++first;
@@ -94,10 +97,13 @@ RecoveryProblem make_recovery_problem(const Component& component,
   return Builder(component, deadline).build(cells, aligned);
 }
 
-std::vector<Component> cut_parts(const RecoveryProblem& problem, const Deadline& deadline) {
+std::vector<Component> cut_parts(const RecoveryProblem& problem,
+                                 const Deadline& deadline,
+                                 bool decompose) {
   std::vector<Component> parts;
   core::Cutter cutter;
-  const decompose::Partition partition = decompose::partition(problem.component, deadline);
+  decompose::Partition partition = decompose::partition(problem.component, deadline);
+  if (!decompose) decompose::join(partition);
   for (std::size_t c = 0; c < partition.num_components() && !deadline.reached(); ++c) {
     const std::span<const ArcId> arcs = partition.component(c);
     Component& part = parts.emplace_back(cutter.cut(problem.component, arcs));

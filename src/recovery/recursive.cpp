@@ -2,13 +2,17 @@
 
 #include <vector>
 
+#include "core/permuted.hpp"
 #include "recovery/inner_problem.hpp"
 #include "recovery/recovery_problem.hpp"
 #include "relax/lagrangian.hpp"
+#include "relax/set_order.hpp"
 
 // The report's recursion: the recovery problem of an alignment is an assignment problem of one
 // dimension less, solved by the same means.  With inner problems (the paper on partial branch and
-// bound, section 2.2) its multipliers start at those that are best for the alignment.
+// bound, section 2.2) its multipliers start at those that are best for the alignment.  Recovery
+// problems keep two sets however many the point keeps: what makes relaxed problems dear would be
+// paid at every recovery.  That of n - 1 kept sets is an assignment.
 
 namespace nda::recovery {
 namespace {
@@ -17,7 +21,7 @@ using core::ArcId;
 using core::Component;
 using core::Deadline;
 using core::Packing;
-using relax::DualFunction;
+using relax::RelaxedDual;
 
 // The recovery problem drops a dimension, and with it arcs of two real indices may become
 // singletons: (0, 0, i3, 0..) cannot occur, but a part may consist of one dimension only when every
@@ -30,17 +34,17 @@ Packing solve_part(const Component& part,
   loop.max_evaluations = part.num_dimensions() == 2 ? 1 : options.recovery_evaluations;
   loop.recovery_interval = part.num_dimensions() <= 3 ? 1 : 0;
   loop.certify = false;
-  return relax::maximize_dual(part,
-                              warm,
-                              loop,
-                              [&](const DualFunction& point) {
-                                return recover_recursively(part, point, options, deadline);
-                              })
-      .best;
+  const core::Permuted ordered(part, relax::set_order(part, options.recovery_order, loop));
+  const Component& component = ordered.component();
+  const auto recover = [&](const RelaxedDual& point) {
+    return recover_recursively(component, point, options, deadline);
+  };
+  return ordered.to_source(
+      relax::maximize_dual(component, ordered.from_source(warm), loop, recover).best);
 }
 
 // In two dimensions the relaxed solution is the solution.
-Packing take_chosen(const Component& component, const DualFunction& point) {
+Packing take_chosen(const Component& component, const RelaxedDual& point) {
   Packing packing;
   packing.arcs.assign(point.chosen_arcs().begin(), point.chosen_arcs().end());
   for (const ArcId a : packing.arcs) packing.cost += component.costs[a];
@@ -50,7 +54,7 @@ Packing take_chosen(const Component& component, const DualFunction& point) {
 }  // namespace
 
 Packing recover_recursively(const Component& component,
-                            const DualFunction& point,
+                            const RelaxedDual& point,
                             const RelaxationOptions& options,
                             const Deadline& deadline) {
   if (component.num_dimensions() == 2) return take_chosen(component, point);
@@ -60,7 +64,7 @@ Packing recover_recursively(const Component& component,
   std::vector<double> u(inner ? component.num_slots() : 0);
   if (inner) point.multipliers(u);
   std::vector<ArcId> arcs;
-  for (const Component& part : cut_parts(problem, deadline)) {
+  for (const Component& part : cut_parts(problem, deadline, options.decompose)) {
     std::vector<double> warm;
     if (inner) warm = maximize_inner({component, problem, part}, u, options, deadline).u;
     for (const ArcId a : solve_part(part, warm, options, deadline).arcs)

@@ -78,6 +78,20 @@ void forget_runs(Cells& cells) {
   cells.run_index = {};
 }
 
+bool agree(const Component& component, int num_kept, ArcId a, ArcId b) {
+  for (int k = 0; k < num_kept; ++k) {
+    if (component.index(k, a) != component.index(k, b)) return false;
+  }
+  return true;
+}
+
+bool is_free(const Component& component, int num_kept, ArcId a) {
+  for (int k = 0; k < num_kept; ++k) {
+    if (component.index(k, a) != 0) return false;
+  }
+  return true;
+}
+
 // The ways of collapse() for a number of relaxed dimensions that is known at compile time, or
 // kAny.
 constexpr std::size_t kAny = 0;
@@ -184,7 +198,7 @@ void collapse_short(const Component& component,
   const std::uint8_t* begins = cells.begins_cell.data();
   for (ArcId a = cells.num_free(); a < cells.first_arc.back();) {
     const std::size_t count = std::min<std::size_t>(r.size(), cells.first_arc.back() - a);
-    core::reduced_costs(component, u, a, std::span(r).first(count), 2);
+    core::reduced_costs(component, u, a, std::span(r).first(count), cells.num_kept);
     for (std::size_t n = 0; n < count; ++n) {
       const std::size_t begin = *begins++;
       cell += begin;
@@ -197,20 +211,20 @@ void collapse_short(const Component& component,
 
 }  // namespace
 
-Cells find_cells(const Component& component) {
+Cells find_cells(const Component& component, int num_kept) {
   Cells cells;
-  const core::Column& row = component.indices[0];
-  const core::Column& column = component.indices[1];
+  cells.num_kept = num_kept;
   for (ArcId a = 0; a < component.num_arcs(); ++a) {
-    if (row[a] == 0 && column[a] == 0) continue;
-    if (a > 0 && row[a] == row[a - 1] && column[a] == column[a - 1]) continue;
+    if (a > 0 && agree(component, num_kept, a, a - 1)) continue;
+    if (is_free(component, num_kept, a)) continue;
     cells.first_arc.push_back(a);
-    cells.row.push_back(row[a]);
-    cells.column.push_back(column[a]);
+    if (num_kept != 2) continue;
+    cells.row.push_back(component.index(0, a));
+    cells.column.push_back(component.index(1, a));
   }
   cells.first_arc.push_back(static_cast<ArcId>(component.num_arcs()));
   const std::size_t num_arcs = component.num_arcs() - cells.num_free();
-  if (num_arcs < kLongCell * cells.num_cells()) {
+  if (num_kept != 2 || num_arcs < kLongCell * cells.num_cells()) {
     mark_beginnings(cells);
   } else if (component.num_dimensions() > 3) {
     find_runs(component.indices[2], cells);
@@ -248,12 +262,16 @@ void collapse(const Component& component,
   }
 }
 
-ArcId cheapest_arc(
-    const Component& component, std::span<const double> u, ArcId from, ArcId end, double d) {
+ArcId cheapest_arc(const Component& component,
+                   std::span<const double> u,
+                   ArcId from,
+                   ArcId end,
+                   double d,
+                   int num_kept) {
   std::array<double, kBlock> r;
   for (ArcId a = from; a < end;) {
     const std::span<double> block = std::span(r).first(std::min(kBlock, end - a));
-    core::reduced_costs(component, u, a, block, 2);
+    core::reduced_costs(component, u, a, block, num_kept);
     const auto found = std::find(block.begin(), block.end(), d);
     if (found != block.end()) return a + static_cast<ArcId>(found - block.begin());
     a += static_cast<ArcId>(block.size());

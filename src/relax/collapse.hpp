@@ -8,13 +8,14 @@
 
 namespace nda::relax {
 
-/// The cells of a component: runs of arcs that agree in their first two indices (i1, i2), without
-/// (0, 0).  Arcs are in lexicographic order, so a cell is a range of arcs, cells are sorted too,
-/// and the arcs of (0, 0) come before all others.
+/// The cells of a component for m kept sets: runs of arcs that agree in their first m indices,
+/// without (0 .. 0).  Arcs are in lexicographic order, so a cell is a range of arcs, cells are
+/// sorted too, and the arcs of (0 .. 0), the free ones, come before all others.
 struct Cells {
+  int num_kept = 2;                    ///< m
   std::vector<core::ArcId> first_arc;  ///< of every cell, and num_arcs at the end
-  std::vector<Index> row;              ///< i1
-  std::vector<Index> column;           ///< i2
+  std::vector<Index> row;              ///< i1; m = 2 only
+  std::vector<Index> column;           ///< i2; m = 2 only
 
   /// Which way collapse() goes.  Cells of many arcs are taken one by one; where they fall into long
   /// runs of arcs that agree in i3 too, these are listed.  Of short cells every arc from
@@ -24,20 +25,22 @@ struct Cells {
   std::vector<core::ArcId> first_run_arc;  ///< of every run, and num_arcs at the end
   std::vector<Index> run_index;            ///< i3 of every run
 
-  std::size_t num_cells() const { return row.size(); }
-  /// Number of arcs of the pair (0, 0): arcs 0..num_free() - 1.
+  std::size_t num_cells() const { return first_arc.size() - 1; }
+  /// Number of arcs of cell (0 .. 0): arcs 0..num_free() - 1.
   core::ArcId num_free() const { return first_arc.front(); }
 };
 
-Cells find_cells(const core::Component& component);
+/// @param num_kept  m, from 0 to the number of dimensions.
+Cells find_cells(const core::Component& component, int num_kept = 2);
 
-/// The collapse to two dimensions, eq. (3.3) with the sign of u turned: for every cell
+/// The collapse to m dimensions, eq. (3.3) with the sign of u turned: for every cell
 ///
-///     d[cell] = min over its arcs of  c'[a] - sum over k >= 2 of u[slot(k, a)].
+///     d[cell] = min over its arcs of  c'[a] - sum over k >= m of u[slot(k, a)].
 ///
 /// from[cell] is an arc of the cell that has the first that attains d[cell] after it, or is that. u
-/// has num_slots() entries (those of dimensions 0 and 1 are ignored), the dummies' are 0.  Cost:
-/// O(A N); no allocation.  docs/benchmarks/roofline.md compares it with what the machine can do.
+/// has num_slots() entries (those of kept dimensions are ignored), the dummies' are 0.  Cost:
+/// O(A N); no allocation.  docs/benchmarks/roofline.md compares it with what the machine can do
+/// for m = 2.
 void collapse(const core::Component& component,
               const Cells& cells,
               std::span<const double> u,
@@ -50,6 +53,7 @@ core::ArcId cheapest_arc(const core::Component& component,
                          std::span<const double> u,
                          core::ArcId from,
                          core::ArcId end,
-                         double d);
+                         double d,
+                         int num_kept = 2);
 
 }  // namespace nda::relax

@@ -3,20 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/min_max.hpp"
-#include "core/reduced_costs.hpp"
-
-// Report, sections 3.1 and 4.1, for m = 2, with three liberties.
-//   - The problem is shifted, so that every index may stay uncovered at cost 0.  Rows and columns
-//   of the
-//     assignment then have outside options instead of dummies that may repeat: fewer nodes, same
-//     optimum.
-//   - Singletons of relaxed indices are relaxed with everything else; eq. (3.3) puts them into
-//   c(0..0).  Their
-//     part is closed: min(0, 0 - u_i) + u_i = min(0, u_i).  u needs no sign and no box.
-//   - At u_i = 0 the singleton is indifferent; we use it exactly when no arc uses i, which gives
-//   the subgradient
-//     nearest to zero among its choices.
+// For m = 2 rows and columns of the assignment have outside options instead of dummies that may
+// repeat: fewer nodes, same optimum.
 
 namespace nda::relax {
 namespace {
@@ -104,39 +92,16 @@ struct DualFunction::Assignment {
 DualFunction::DualFunction(const Component& component,
                            Assign2dMethod method,
                            const core::Deadline& deadline)
-    : component_(component),
-      cells_(find_cells(component)),
-      num_slots_(component.num_slots()),
-      slot_u_(num_slots_, 0.0),
-      d_(cells_.num_cells()),
-      cell_from_(cells_.num_cells()),
-      assignment_(std::make_unique<Assignment>(component, cells_, method, deadline)) {
-  first_slot_ =
-      component.num_dimensions() > 2 ? component.offset[2] : static_cast<std::uint32_t>(num_slots_);
-}
+    : RelaxedDual(component, 2),
+      assignment_(std::make_unique<Assignment>(component, cells(), method, deadline)) {}
 
 DualFunction::~DualFunction() = default;
 
-double DualFunction::evaluate(std::span<const double> u, std::span<double> subgradient) {
-  std::copy(u.begin(), u.end(), slot_u_.begin() + first_slot_);
-  collapse(component_, cells_, slot_u_, d_, cell_from_);
-  interrupted_ = !assignment_->solve(d_);
-
-  double value = assignment_->result.cost;
-  for (const double multiplier : u) value += std::min(0.0, multiplier);
-  std::fill(subgradient.begin(), subgradient.end(), 0.0);
-  choose(subgradient);
-  value += take_free_arcs(subgradient);
-  for (std::size_t j = 0; j < u.size(); ++j) {
-    const double uses = -subgradient[j];
-    const double singleton = u[j] > 0 || (u[j] == 0 && uses == 0) ? 1.0 : 0.0;
-    subgradient[j] = 1.0 - uses - singleton;
-  }
-  for (std::size_t k = 2; k < component_.sizes.size(); ++k) {
-    subgradient[component_.offset[k] - first_slot_] = 0.0;
-  }
-  violation_ = std::inner_product(subgradient.begin(), subgradient.end(), subgradient.begin(), 0.0);
-  return value;
+RelaxedDual::KeptValue DualFunction::solve_kept(std::span<const double> costs,
+                                                std::vector<std::uint32_t>& chosen) {
+  const bool solved = assignment_->solve(costs);
+  for_each_chosen_cell(assignment_->result, [&](std::uint32_t cell) { chosen.push_back(cell); });
+  return {assignment_->result.cost, assignment_->result.cost, !solved};
 }
 
 // Pairs, and the cells of rows and columns that stay out where that pays.
@@ -156,15 +121,6 @@ void DualFunction::for_each_chosen_cell(const Assign2dResult& answer, Visit&& vi
   }
 }
 
-// Collects the relaxed solution of the assignment (3.5); subgradient then holds minus the uses of
-// its arcs.
-void DualFunction::choose(std::span<double> subgradient) {
-  chosen_.clear();
-  aligned_cells_.clear();
-  for_each_chosen_cell(assignment_->result,
-                       [&](std::uint32_t cell) { take_cell(cell, subgradient); });
-}
-
 Assign2dProblem DualFunction::assignment() const {
   const Assignment& a = *assignment_;
   return {a.row_start, a.column, a.cost, a.row_outside, a.column_outside};
@@ -176,66 +132,11 @@ std::vector<std::uint32_t> DualFunction::cells_of(const Assign2dResult& answer) 
   return cells;
 }
 
-void DualFunction::take_cell(std::uint32_t cell, std::span<double> subgradient) {
-  aligned_cells_.push_back(cell);
-  const ArcId end = cells_.first_arc[cell + 1];
-  use(cheapest_arc(component_, slot_u_, cell_from_[cell], end, d_[cell]), subgradient);
-}
-
-// Those of cell (0, 0).
-double DualFunction::take_free_arcs(std::span<double> subgradient) {
-  std::array<double, core::kReducedBlock> r;
-  double value = 0;
-  for (ArcId first = 0; first < cells_.num_free();) {
-    const std::size_t count = std::min<std::size_t>(r.size(), cells_.num_free() - first);
-    core::reduced_costs(component_, slot_u_, first, std::span(r).first(count), 2);
-    for (std::size_t n = 0; n < count; ++n) {
-      if (r[n] >= 0) continue;
-      value += r[n];
-      use(first + static_cast<ArcId>(n), subgradient);
-    }
-    first += static_cast<ArcId>(count);
-  }
-  return value;
-}
-
-void DualFunction::use(ArcId a, std::span<double> subgradient) {
-  chosen_.push_back(a);
-  for (int k = 2; k < component_.num_dimensions(); ++k) {
-    subgradient[component_.slot(k, a) - first_slot_] -= 1.0;
-  }
-}
-
-void DualFunction::multipliers(std::span<double> all) const {
+void DualFunction::kept_multipliers(std::span<double> all) const {
   const Assign2dResult& result = assignment_->result;
-  std::copy(result.u.begin(), result.u.end(), all.begin() + component_.offset[0] + 1);
-  std::copy(result.v.begin(), result.v.end(), all.begin() + component_.offset[1] + 1);
-  for (std::size_t slot = first_slot_; slot < num_slots_; ++slot) {
-    all[slot] = std::min(0.0, slot_u_[slot]);
-  }
-  for (const std::uint32_t dummy : component_.offset) all[dummy] = 0.0;
-}
-
-// Reduced costs are computed again for every dimension rather than kept: that costs no more time
-// than reading and writing them, and no memory.
-double make_feasible(const Component& component,
-                     std::span<double> u,
-                     const core::Deadline& deadline) {
-  std::vector<double> least_of;
-  for (std::size_t k = component.sizes.size(); k-- > 0;) {
-    const Index* index = component.indices[k].data();
-    const std::span<double> block = u.subspan(component.offset[k], component.sizes[k] + 1);
-    least_of.assign(block.size(), kInfinity);
-    const std::span<double> least(least_of);
-    const auto note = [least, index](ArcId a, double r) {
-      least[index[a]] = core::min_of(least[index[a]], r);
-    };
-    if (!core::for_each_reduced_cost(component, u, deadline, note)) return -kInfinity;
-    for (std::size_t i = 1; i < block.size(); ++i) block[i] = std::min(0.0, block[i] + least[i]);
-  }
-  double sum = 0;
-  for (const double multiplier : u) sum += multiplier;
-  return sum;
+  const std::vector<std::uint32_t>& offset = component().offset;
+  std::copy(result.u.begin(), result.u.end(), all.begin() + offset[0] + 1);
+  std::copy(result.v.begin(), result.v.end(), all.begin() + offset[1] + 1);
 }
 
 }  // namespace nda::relax

@@ -1,9 +1,11 @@
 #include "relax/lagrangian.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <numeric>
 
 #include "dual/maximize.hpp"
+#include "relax/dual_function.hpp"
 #include "relax/separable_dual.hpp"
 
 // The report recovers once, from the optimal multipliers; but its own implementation recovers at
@@ -18,22 +20,40 @@ namespace {
 using core::Component;
 using core::Packing;
 
+bool keeps_two(const Component& component, const KeptSets& kept) {
+  return component.num_dimensions() == 2 || kept.num_kept == 2 ||
+         (kept.num_kept > 2 && component.num_dimensions() == 3);
+}
+
 // Collects, evaluation by evaluation, the best multipliers and the best packing.
 class Loop {
  public:
   Loop(const Component& component, const LagrangianOptions& options, const Recover& recover)
-      : options_(options),
+      : component_(component),
+        options_(options),
         recover_(recover),
         deadline_(options.deadline.earlier(options.certify_s)),
-        function_(component, options.assign2d, deadline_),
         pool_(options.alignment_rule, options.num_alignments),
-        best_multipliers_(component.num_slots(), 0.0) {}
+        best_multipliers_(component.num_slots(), 0.0) {
+    if (keeps_two(component, options.kept)) {
+      function_ = std::make_unique<DualFunction>(component, options.assign2d, deadline_);
+    } else {
+      auto function = std::make_unique<KeptDual>(component, options.kept);
+      kept_ = function.get();
+      function_ = std::move(function);
+    }
+  }
 
-  DualFunction& function() { return function_; }
+  RelaxedDual& function() { return *function_; }
   const std::vector<double>& best_multipliers() const { return best_multipliers_; }
 
   LagrangianResult take() {
     result_.alignments = pool_.take();
+    if (kept_ != nullptr) {
+      result_.kept_evaluations = kept_->evaluations();
+      result_.kept_nodes = kept_->nodes();
+      if (kept_->num_kept() > 2) result_.kept_bound = best_value_;
+    }
     return std::move(result_);
   }
 
@@ -41,13 +61,15 @@ class Loop {
   bool observe(const dual::Iterate& iterate) {
     step_s_ = step_.seconds();
     ++result_.evaluations;
-    if (iterate.value > best_value_) {
-      best_value_ = iterate.value;
-      function_.multipliers(best_multipliers_);
+    // Only with more kept sets than two may a value be less, or more, than what it proves.
+    const double value = function_->num_kept() > 2 ? function_->bound() : iterate.value;
+    if (value > best_value_) {
+      best_value_ = value;
+      function_->multipliers(best_multipliers_);
     }
-    const double violation = function_.violation();
+    const double violation = function_->violation();
     if (pool_.would_lead(iterate.value, violation)) recovered_at_best_ = false;
-    pool_.offer(function_.aligned_cells(), iterate.point, iterate.value, violation);
+    pool_.offer(function_->aligned_cells(), iterate.point, iterate.value, violation);
     const int since_first = result_.evaluations - options_.first_recovery;
     if (options_.recovery_interval > 0 && since_first >= 0 &&
         since_first % options_.recovery_interval == 0) {
@@ -64,7 +86,7 @@ class Loop {
     if ((result_.recoveries > 0 || !options_.always_recover) && !has_time()) return;
     const std::vector<double>& point = pool_.best().front().point;
     std::vector<double> subgradient(point.size());
-    function_.evaluate(point, subgradient);
+    function_->evaluate(point, subgradient);
     recover();
   }
 
@@ -78,16 +100,29 @@ class Loop {
   void recover() {
     if (!recover_) return;
     ++result_.recoveries;
-    Packing packing = recover_(function_);
+    Packing packing = recover_(point_to_recover());
     if (packing.cost < result_.best.cost) result_.best = std::move(packing);
   }
 
+  // With less than two kept sets there is no alignment: two are kept at the same multipliers.
+  const RelaxedDual& point_to_recover() {
+    if (function_->num_kept() >= 2) return *function_;
+    if (!two_kept_)
+      two_kept_ = std::make_unique<DualFunction>(component_, options_.assign2d, deadline_);
+    std::vector<double> subgradient(two_kept_->num_variables());
+    two_kept_->evaluate(function_->slot_values().subspan(two_kept_->first_slot()), subgradient);
+    return *two_kept_;
+  }
+
+  const Component& component_;
   const LagrangianOptions& options_;
   const Recover& recover_;
   const core::Deadline deadline_;
   core::Stopwatch step_;  // since the last observation
   double step_s_ = 0;     // what the last evaluation took
-  DualFunction function_;
+  std::unique_ptr<RelaxedDual> function_;
+  KeptDual* kept_ = nullptr;                // function_, unless that is a DualFunction
+  std::unique_ptr<DualFunction> two_kept_;  // for recoveries, where fewer are kept
   AlignmentPool pool_;
   std::vector<double> best_multipliers_;
   double best_value_ = -kInfinity;
@@ -159,7 +194,8 @@ LagrangianResult maximize_dual(const Component& component,
   limits.max_evaluations = options.max_evaluations;
   limits.relative_tolerance = options.relative_tolerance;
   limits.bundle_size = options.bundle_size;
-  limits.target = options.goal;
+  // Without a merit function values are no bounds.
+  if (keeps_two(component, options.kept) || options.kept.merit) limits.target = options.goal;
   // Near the optimum the gap is the right size of a first step; from 0 the method's own guess is
   // better.
   if (!warm.empty() && options.goal < kInfinity) {

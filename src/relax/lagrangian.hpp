@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
@@ -8,17 +9,19 @@
 #include "core/component.hpp"
 #include "nda/options.hpp"
 #include "relax/alignment.hpp"
-#include "relax/dual_function.hpp"
+#include "relax/kept_dual.hpp"
 
 namespace nda::relax {
 
 /// Makes a packing from the last evaluation of the dual function; injected by the layer above.
-using Recover = std::function<core::Packing(const DualFunction& point)>;
+/// What it gets keeps two sets or more.
+using Recover = std::function<core::Packing(const RelaxedDual& point)>;
 /// Whether there is nothing left to recover, as feasible multipliers and their bound settle it.
 using Settle = std::function<bool(std::span<const double> u, double lower)>;
 
 struct LagrangianOptions {
   DualMethod dual_method = DualMethod::kBundleTrust;
+  KeptSets kept;  ///< two; of a component of two dimensions always both
   Assign2dMethod assign2d = Assign2dMethod::kShortestPath;
   int max_evaluations = 100;
   int bundle_size = 40;  ///< subgradients that the bundle keeps
@@ -38,23 +41,30 @@ struct LagrangianOptions {
   double certify_s = 0;  ///< what is kept of the time until the deadline for that end
 };
 
-/// The loop as these options want it at every stage; all else is the default.
+/// The loop as these options want it at every stage; all else is the default, two kept sets among
+/// it.
 LagrangianOptions loop_options(const RelaxationOptions& options, const core::Deadline& deadline);
 
 struct LagrangianResult {
   std::vector<double> u;      ///< multipliers of all slots: u <= 0, all reduced costs >= 0
   double lower = -kInfinity;  ///< sum u, a lower bound on every packing; -inf if there was no time
-  core::Packing best;         ///< best recovered packing; empty (cost 0) if none is better
+  /// Three or more kept sets: the best RelaxedDual::bound(), a lower bound too, perhaps above what
+  /// any multipliers prove; else -inf.
+  double kept_bound = -kInfinity;
+  core::Packing best;                 ///< best recovered packing; empty (cost 0) if none is better
   std::vector<Alignment> alignments;  ///< best first; one of the coordinate method
   int evaluations = 0;
   int recoveries = 0;
+  std::int64_t kept_evaluations = 0;  ///< of dual functions of relaxed problems
+  std::int64_t kept_nodes = 0;        ///< of exact searches for their best packings
 };
 
 /// The Lagrangian loop: maximises the dual function of a component from the multipliers `warm` (by
-/// slot; empty = 0), recovering packings on the way.  Source: report, section 3.3, steps A to D for
-/// m = 2.  No evaluation is begun that would end beyond the deadline, by the time of the last; but
-/// one is, whatever it takes, unless no time is left at all.  Cost: evaluations * (O(A N) + one 2-D
-/// assignment).
+/// slot; empty = 0), recovering packings on the way.  Source: report, section 3.3, steps A to D.
+/// With m < 2 kept sets packings are recovered from the alignment of two at the same multipliers;
+/// DualMethod::kCoordinate is for m = 0, whatever is asked for.  No evaluation is begun that would
+/// end beyond the deadline, by the time of the last; but one is, whatever it takes, unless no time
+/// is left at all.  Cost: evaluations * (O(A N) + one 2-D assignment).
 LagrangianResult maximize_dual(const core::Component& component,
                                std::span<const double> warm,
                                const LagrangianOptions& options,

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "bnb/branch_and_bound.hpp"
 #include "core/double_double.hpp"
+#include "core/permuted.hpp"
 #include "core/random.hpp"
 #include "core/reduced_costs.hpp"
 #include "cutting/leaf_search.hpp"
@@ -14,9 +16,11 @@
 #include "decompose/reduced_cost_fixing.hpp"
 #include "recovery/core_search.hpp"
 #include "recovery/greedy.hpp"
+#include "recovery/kept_solver.hpp"
 #include "recovery/recovery.hpp"
 #include "recovery/recursive.hpp"
 #include "relax/lagrangian.hpp"
+#include "relax/set_order.hpp"
 #include "solve/parallel.hpp"
 
 // The order of work on one component follows what was measured (docs/pipeline.md): enumerate the
@@ -271,7 +275,7 @@ void ComponentSolver::solve_assignment() {
   relax::LagrangianOptions loop = loop_options(component_);
   loop.max_evaluations = 1;
   relax::LagrangianResult result =
-      relax::maximize_dual(component_, {}, loop, [&](const relax::DualFunction& point) {
+      relax::maximize_dual(component_, {}, loop, [&](const relax::RelaxedDual& point) {
         return recovery::recover_recursively(component_, point, options_.relaxation, deadline_);
       });
   offer(result.best, "assignment");
@@ -284,6 +288,9 @@ void ComponentSolver::relax() {
   loop.max_evaluations = options_.relaxation.max_evaluations;
   loop.recovery_interval =
       component_.num_dimensions() == 3 ? 1 : options_.relaxation.recovery_interval;
+  recovery::keep_sets(options_.relaxation, deadline_.earlier(loop.certify_s), loop);
+  const core::Permuted ordered(component_,
+                               relax::set_order(component_, options_.relaxation.set_order, loop));
   if (options_.method == Method::kAuto) {
     loop.always_recover = false;  // there is a greedy packing
     if (component_.num_arcs() <= kMostCuttingArcs) {
@@ -292,7 +299,7 @@ void ComponentSolver::relax() {
       loop.recovery_interval = 0;
       // Where there is no gap, that needs no packing to begin with.
       loop.settle = [&](std::span<const double> u, double lower) {
-        accept_multipliers({u.begin(), u.end()}, lower, "relaxation");
+        accept_multipliers(ordered.to_source(u), lower, "relaxation");
         search_nearly_free();
         return state_.complete;
       };
@@ -301,23 +308,35 @@ void ComponentSolver::relax() {
           std::max(loop.recovery_interval, kLargeInterval);
     }
   }
-  loop.goal = cutoff();
   const auto recovery = recovery::make_recovery(options_.relaxation.recovery,
-                                                component_,
+                                                ordered.component(),
                                                 options_.relaxation,
                                                 deadline_.earlier(loop.certify_s));
-  const auto recover = [&](const relax::DualFunction& point) {
+  const auto recover = [&](const relax::RelaxedDual& point) {
     Packing packing = recovery->recover(point);
-    offer(packing, recovery->name());
+    offer(ordered.to_source(packing), recovery->name());
     return packing;
   };
-  accept_dual(relax::maximize_dual(component_, {}, loop, recover), "relaxation");
+  const auto maximize = [&](std::span<const double> warm) {
+    loop.goal = cutoff();
+    relax::LagrangianResult result = relax::maximize_dual(ordered.component(), warm, loop, recover);
+    result.u = ordered.to_source(result.u);
+    accept_dual(std::move(result), "relaxation");
+  };
+  const int kept_sets = std::exchange(loop.kept.num_kept, std::min(2, loop.kept.num_kept));
+  const bool keeps_more = kept_sets > 2 && component_.num_dimensions() > 3;
+  if (!keeps_more || options_.relaxation.two_first) maximize({});
+  if (!keeps_more || state_.complete) return;
+  loop.kept.num_kept = kept_sets;
+  maximize(options_.relaxation.two_first ? ordered.from_source(state_.u) : std::vector<double>());
 }
 
 void ComponentSolver::accept_dual(relax::LagrangianResult result, const char* event) {
-  state_.evaluations += result.evaluations;
+  state_.evaluations += result.evaluations + result.kept_evaluations;
   state_.recoveries += result.recoveries;
+  state_.nodes += result.kept_nodes;
   accept_multipliers(std::move(result.u), result.lower, event);
+  raise_bound(result.kept_bound, event);
 }
 
 void ComponentSolver::accept_multipliers(std::vector<double> u,

@@ -103,6 +103,7 @@ class Pipeline {
     if (modest_ && pipeline::hides_digits(problem_, shift_, grid_))
       shift_ = core::make_shift(problem_, deadline_, pipeline::modest_penalty(problem_));
     partition_ = decompose::partition(problem_, shift_, deadline_);
+    if (!options_.relaxation.decompose) decompose::join(partition_);
     if (deadline_.reached()) return;
     parts_.resize(partition_.num_components());
     supervision_.shorten(kMergeSecondsPerPart * static_cast<double>(parts_.size()));

@@ -8,6 +8,7 @@
 
 #include "recovery/packing_state.hpp"
 #include "recovery/recovery_problem.hpp"
+#include "relax/dual_function.hpp"
 #include "support/components.hpp"
 #include "support/tiny_problems.hpp"
 

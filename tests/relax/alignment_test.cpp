@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/random.hpp"
+#include "relax/dual_function.hpp"
 #include "relax/lagrangian.hpp"
 #include "support/components.hpp"
 

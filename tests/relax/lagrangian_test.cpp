@@ -22,7 +22,7 @@ constexpr double kTie = 1e-9;
 const DualMethod kDualMethods[] = {
     DualMethod::kBundleTrust, DualMethod::kSubgradient, DualMethod::kVolume};
 
-Packing recover_nothing(const DualFunction&) {
+Packing recover_nothing(const RelaxedDual&) {
   return {};
 }
 
@@ -149,7 +149,7 @@ TEST(MaximizeDual, StopsWhenTheBoundMeetsARecoveredPacking) {
   fake.cost = reachable - 0.05 * std::abs(reachable);
   options.recovery_interval = 1;
   const LagrangianResult stopped =
-      maximize_dual(component, {}, options, [&](const DualFunction&) { return fake; });
+      maximize_dual(component, {}, options, [&](const RelaxedDual&) { return fake; });
   EXPECT_LT(stopped.evaluations, 300);
   EXPECT_GE(stopped.lower, fake.cost);
   EXPECT_EQ(stopped.best.cost, fake.cost);
@@ -195,7 +195,7 @@ TEST(MaximizeDual, WithoutIntervalRecoversOnceAtTheBestPoint) {
   int calls = 0;
   double value_there = 0;
   const LagrangianResult result =
-      maximize_dual(component, {}, options, [&](const DualFunction& point) {
+      maximize_dual(component, {}, options, [&](const RelaxedDual& point) {
         ++calls;
         for (const core::ArcId a : point.chosen_arcs()) value_there += component.costs[a];
         return Packing{};
@@ -211,7 +211,7 @@ TEST(MaximizeDual, KeepsTheBestOfTheRecoveredPackings) {
   options.max_evaluations = 4;
   const std::vector<double> costs = {-1, -3, -2, 4};
   std::size_t call = 0;
-  const LagrangianResult result = maximize_dual(component, {}, options, [&](const DualFunction&) {
+  const LagrangianResult result = maximize_dual(component, {}, options, [&](const RelaxedDual&) {
     Packing packing;
     packing.arcs = {static_cast<core::ArcId>(call)};
     packing.cost = costs[call++];
@@ -226,7 +226,7 @@ TEST(MaximizeDual, KeepsTheEmptyPackingWhenNoneIsBetter) {
   LagrangianOptions options;
   options.max_evaluations = 3;
   const LagrangianResult result =
-      maximize_dual(slow_component(), {}, options, [](const DualFunction&) {
+      maximize_dual(slow_component(), {}, options, [](const RelaxedDual&) {
         return Packing{{0}, 2.5};
       });
   EXPECT_TRUE(result.best.arcs.empty());

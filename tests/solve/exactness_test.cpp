@@ -35,6 +35,32 @@ struct Path {
   bool exact;
 };
 
+// Every number of kept sets, relaxed problems solved exactly and not, and every order of sets.
+void add_relaxations(const Options& relaxation, std::vector<Path>& result) {
+  for (const int kept_sets : {0, 1, 3, 64}) {
+    Options options = relaxation;
+    options.relaxation.kept_sets = kept_sets;
+    options.relaxation.max_evaluations = 6;
+    result.push_back({"other kept sets", options, false});
+    if (kept_sets < 3) continue;
+    options.relaxation.kept_exact_arcs = 0;
+    options.relaxation.kept_evaluations = 2;
+    options.relaxation.two_first = false;
+    result.push_back({"merit function", options, false});
+    options.relaxation.merit = options.relaxation.decompose = false;
+    result.push_back({"no merit function", options, false});
+  }
+  int kept_sets = 1;
+  for (const SetOrder order :
+       {SetOrder::kLargestFirst, SetOrder::kMostConflictingFirst, SetOrder::kProbe}) {
+    Options options = relaxation;
+    options.relaxation.kept_sets = kept_sets++;
+    options.relaxation.max_evaluations = 6;
+    options.relaxation.set_order = options.relaxation.recovery_order = order;
+    result.push_back({"order of sets", options, false});
+  }
+}
+
 std::vector<Path> paths() {
   std::vector<Path> result;
   result.push_back({"default", {}, true});
@@ -63,6 +89,7 @@ std::vector<Path> paths() {
     options.relaxation.assign2d = method;
     result.push_back({"other assignment", options, false});
   }
+  add_relaxations(relaxation, result);
   return result;
 }
 
