@@ -118,8 +118,8 @@ struct Solution {
   /// Why lower_bound holds, for check_proof(); with Options::proof only.  There is none of
   /// infeasible problems, nor where the deadline struck before every component had a bound.  It may
   /// show less than lower_bound where a limit stopped the search, where Lagrangian branch and bound
-  /// had the last word (Method::kExact, more than two million arcs), where the relaxation kept three
-  /// sets and more, and by what rounding takes.
+  /// had the last word (Method::kExact, more than two million arcs), where the relaxation kept
+  /// three sets and more, and by what rounding takes.
   std::optional<Proof> proof;
 
   /// What the list says of arcs and indices, where somebody asked marginals() and put it here, for
