@@ -19,6 +19,7 @@ constexpr int kAtTheEnd = 1000000;
 constexpr int kStepsOf1995 = 10;
 constexpr int kStepsOf1993 = 50;
 constexpr int kInnerSteps = 10;
+constexpr int kOneStep = 2;  // evaluations: before it and after it
 constexpr int kBranchesOfThePaper = 4;
 constexpr std::size_t kFewArcs = 5;  // "four or five feasible arcs": by branch and bound
 
@@ -73,12 +74,12 @@ void deb_1992(Options& options) {
   relaxation.kept_sets = kAllButOne;
   relaxation.kept_exact_arcs = 0;
   relaxation.kept_nodes = 0;
-  relaxation.kept_evaluations = 1;
+  relaxation.kept_evaluations = kOneStep;
   relaxation.merit = false;
   relaxation.decompose = false;
   relaxation.dual_method = DualMethod::kSubgradient;
   relaxation.max_evaluations = kStepsOf1993;
-  relaxation.recovery_evaluations = 1;
+  relaxation.recovery_evaluations = kOneStep;
   relaxation.recovery_interval = 1;
 }
 

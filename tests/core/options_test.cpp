@@ -156,11 +156,11 @@ constexpr std::pair<const char*, const char*> kPapers[] = {
      "search.kicks_per_index=0 ranking.method=exact ranking.branches=4 "},
     {"deb-1992",
      "method=relaxation relaxation.kept_sets=64 relaxation.kept_exact_arcs=0 "
-     "relaxation.kept_nodes=0 relaxation.kept_evaluations=1 relaxation.two_first=false "
+     "relaxation.kept_nodes=0 relaxation.kept_evaluations=2 relaxation.two_first=false "
      "relaxation.merit=false relaxation.decompose=false relaxation.set_order=as_given "
      "relaxation.recovery_order=as_given relaxation.dual_method=subgradient "
      "relaxation.assign2d=auction relaxation.recovery=recursive "
-     "relaxation.max_evaluations=50 relaxation.recovery_evaluations=1 "
+     "relaxation.max_evaluations=50 relaxation.recovery_evaluations=2 "
      "relaxation.recovery_interval=1 relaxation.relative_tolerance=1e-07 "
      "relaxation.alignment=best_value relaxation.inner_evaluations=0 "
      "search.reductions=none search.local_search=false search.kicks_per_index=0 "
