@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -156,7 +157,17 @@ struct Options {
 /// Throws InputError naming the first option out of range; NaN is out of every range.
 void validate(const Options& options);
 
-/// A named, complete configuration: "realtime", "default", "exact".  Throws InputError otherwise.
+/// A named, complete configuration; presets() lists the names.  Throws InputError for another one.
 Options preset(const std::string& name);
+
+/// What preset() knows.
+struct PresetInfo {
+  const char* name;
+  const char* about;  ///< one line
+  /// An algorithm as a paper describes it, nothing more: frozen, whatever becomes of the defaults
+  /// (docs/presets.md).  Its bound is that of its relaxation, and it proves nothing by search.
+  bool is_paper;
+};
+std::span<const PresetInfo> presets();
 
 }  // namespace nda

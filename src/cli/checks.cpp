@@ -91,4 +91,11 @@ void require_other_file(const std::string& output, const std::string& input) {
   }
 }
 
+std::string preset_names() {
+  std::string names;
+  for (const PresetInfo& line : presets())
+    names += std::string(names.empty() ? "" : ", ") + line.name;
+  return names;
+}
+
 }  // namespace nda::cli

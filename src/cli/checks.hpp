@@ -28,4 +28,7 @@ void require_two_files(const std::string& first, const std::string& second);
 /// Throws InputError where writing `output` would replace `input`.
 void require_other_file(const std::string& output, const std::string& input);
 
+/// The names that --preset takes, for its help.
+std::string preset_names();
+
 }  // namespace nda::cli

@@ -16,6 +16,7 @@
 #include "mip/comparison.hpp"
 #include "mip/comparison_text.hpp"
 #include "mip/methods.hpp"
+#include "nda/generate.hpp"
 #include "nda/io.hpp"
 
 namespace nda::cli {
@@ -24,6 +25,7 @@ namespace {
 struct CompareArguments {
   std::vector<std::string> files;
   std::vector<std::string> methods;
+  bool presets = false;
   double time_limit_s = 10;
   std::string csv;
 };
@@ -115,22 +117,53 @@ bool print_remarks(const std::vector<std::string>& missing,
   return accusations.empty();
 }
 
-int compare_files(const CompareArguments& arguments) {
-  const InterruptWatch interrupt;
-  std::vector<Problem> problems;
+struct NamedProblem {
+  std::string name;
+  Problem problem;
+};
+
+// A small problem of each benchmark family.
+std::vector<NamedProblem> families() {
+  PooreSparseOptions sparse;
+  sparse.arcs = 2000;
+  std::vector<NamedProblem> problems;
+  problems.push_back({"poore-5.1", generate_poore_sparse(sparse).problem});
+  problems.push_back({"poore-5.3", generate_poore_dense().problem});
+  problems.push_back({"map3", generate_map3().problem});
+  problems.push_back({"gadgets", generate_gadgets().problem});
+  problems.push_back({"planted", generate_planted().problem});
+  for (const char* name : {"small", "hard6", "six-scan"})
+    problems.push_back({name, generate_tracking(tracking_preset(name)).problem});
+  return problems;
+}
+
+std::vector<NamedProblem> collect(const CompareArguments& arguments) {
+  if (arguments.files.empty()) {
+    if (arguments.presets) return families();
+    throw InputError("no file given (only --presets can do without)");
+  }
+  std::vector<NamedProblem> problems;
   for (const std::string& file : arguments.files) {
     require_other_file(arguments.csv, file);
-    problems.push_back(read_problem(file));
+    problems.push_back({file, read_problem(file)});
   }
-  const mip::MethodChoice choice = mip::choose_methods(arguments.methods, surroundings());
+  return problems;
+}
+
+int compare_files(const CompareArguments& arguments) {
+  const InterruptWatch interrupt;
+  const std::vector<NamedProblem> problems = collect(arguments);
+  std::vector<std::string> methods = arguments.methods;
+  if (arguments.presets) methods.insert(methods.end(), {"default", "paper"});
+  const mip::MethodChoice choice = mip::choose_methods(methods, surroundings());
   CsvFile csv(arguments.csv);
   const mip::RunLimits limits = {arguments.time_limit_s, interrupt.token()};
   std::vector<mip::FileComparison> comparisons;
   bool consistent = true;
   for (std::size_t f = 0; f < problems.size() && !limits.stop.stop_requested(); ++f) {
-    const std::string& file = arguments.files[f];
+    const std::string& file = problems[f].name;
     comparisons.push_back(
-        mip::run_methods(file, problems[f], choice.methods, limits, progress_of(file)));
+        mip::run_methods(file, problems[f].problem, choice.methods, limits, progress_of(file)));
     std::cout << mip::comparison_table(comparisons.back());
     consistent =
         print_remarks(choice.missing, mip::contradictions(comparisons.back())) && consistent;
@@ -146,7 +179,8 @@ std::string footer() {
   for (const std::string& name : mip::method_names()) names += " " + name;
   return "Methods:" + names +
          "\n"
-         "and the groups nda, baseline, external; all by default.  cbc, glpk (glpsol), scipy and\n"
+         "and the groups nda, paper, baseline, external; all but paper by default.  cbc, glpk "
+         "(glpsol), scipy and\n"
          "highs are run as child processes where they are installed.  All use one thread and a\n"
          "relative gap of 0; their solutions are verified before they enter the table.  '*' marks\n"
          "the best cost and the best bound; docs/compare.md explains every column.\n"
@@ -155,18 +189,22 @@ std::string footer() {
          "2 bad input, 3 interrupted.\n"
          "\n"
          "Example:\n"
-         "  nda compare window.nda.gz --methods default,sgts,cbc --time-limit 20 --csv table.csv";
+         "  nda compare window.nda.gz --methods default,sgts,cbc --time-limit 20 --csv table.csv\n"
+         "  nda compare --presets";
 }
 
 }  // namespace
 
 Action declare_compare(CLI::App& parser) {
   const auto arguments = std::make_shared<CompareArguments>();
-  parser.add_option("file", arguments->files, "problems to solve, '-' for standard input")
-      ->required();
+  parser.add_option("file", arguments->files, "problems to solve, '-' for standard input");
   parser.add_option("--methods", arguments->methods, "names separated by commas, see below")
       ->delimiter(',')
       ->allow_extra_args(false);
+  parser.add_flag("--presets",
+                  arguments->presets,
+                  "the algorithms of papers and the default; without files on a small problem of "
+                  "each family");
   parser.add_option("--time-limit", arguments->time_limit_s, "seconds per method and file")
       ->check(as_option("time_limit_s"))
       ->capture_default_str();

@@ -2,6 +2,7 @@
 #include <memory>
 #include <string>
 
+#include "cli/checks.hpp"
 #include "cli/commands.hpp"
 #include "core/option_table.hpp"
 
@@ -9,7 +10,7 @@ namespace nda::cli {
 
 Action declare_options(CLI::App& parser) {
   const auto name = std::make_shared<std::string>("default");
-  parser.add_option("--preset", *name, "realtime, default or exact")->capture_default_str();
+  parser.add_option("--preset", *name, preset_names())->capture_default_str();
   parser.footer(
       "Every option as `nda solve --set` takes it, with its value in the preset, what it means "
       "and\n"

@@ -277,7 +277,7 @@ Setting split_setting(const std::string& text) {
 }
 
 void add_settings(CLI::App& parser, const std::shared_ptr<SolveArguments>& arguments) {
-  parser.add_option("--preset", arguments->preset, "realtime, default or exact");
+  parser.add_option("--preset", arguments->preset, preset_names());
   add_setting(parser, arguments, "--time-limit", "time_limit_s");
   add_setting(parser, arguments, "--gap", "relative_gap");
   add_setting(parser, arguments, "--threads", "num_threads");

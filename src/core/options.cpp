@@ -12,21 +12,4 @@ void validate(const Options& options) {
   }
 }
 
-Options preset(const std::string& name) {
-  Options options;
-  if (name == "default") return options;
-  if (name == "realtime") {
-    options.time_limit_s = 0.05;
-    options.relative_gap = 1e-3;
-    options.relaxation.max_evaluations = 60;
-    return options;
-  }
-  if (name == "exact") {
-    options.relaxation.max_evaluations = 500;
-    options.branch.node_evaluations = 100;
-    return options;
-  }
-  throw InputError("preset '" + name + "' is not known; there are realtime, default, exact");
-}
-
 }  // namespace nda

@@ -9,6 +9,7 @@
 #include "mip/external_solver.hpp"
 #include "nda/baselines.hpp"
 #include "nda/check.hpp"
+#include "nda/k_best.hpp"
 #include "nda/solve.hpp"
 
 // One table per kind says what there is; choose_methods() turns its lines into Contenders.  What a
@@ -20,6 +21,9 @@ namespace nda::mip {
 namespace {
 
 constexpr std::size_t kEnumerationMaxArcs = 1000;
+
+// The group of presets that follow papers.
+constexpr const char* kPapers = "paper";
 
 // It cannot be interrupted, and with twice as many arcs it takes hours in bad cases.
 constexpr std::size_t kQuickBruteForceMaxArcs = 32;
@@ -43,6 +47,9 @@ struct NdaMethod {
   const char* about;
   Options (*options)();
 };
+
+// Partial branch and bound keeps a buffer of solutions, and cuts nothing before it is full.
+constexpr std::size_t kBuffer = 10;
 
 const NdaMethod kNdaMethods[] = {
     {"default", "preset default", [] { return preset("default"); }},
@@ -98,7 +105,9 @@ MethodResult run_nda(const Problem& problem, Options options, const RunLimits& l
   options.stop = limits.stop;
   MethodResult result;
   const core::Stopwatch watch;
-  const Solution solution = solve(problem, options);
+  const Solution solution = options.ranking.method == RankingMethod::kExact
+                                ? solve(problem, options)
+                                : solve_k_best(problem, kBuffer, options);
   result.seconds = watch.seconds();
   result.status = to_string(solution.status);
   result.proven = solution.proven || solution.status == Status::kInfeasible;
@@ -169,6 +178,14 @@ Contender make_contender(const NdaMethod& line) {
   return method;
 }
 
+Contender make_contender(const PresetInfo& line) {
+  Contender method{line.name, MethodKind::kNda, line.about, {}, {}};
+  method.run = [&line](const Problem& problem, const RunLimits& limits) {
+    return run_nda(problem, preset(line.name), limits);
+  };
+  return method;
+}
+
 Contender make_contender(const Baseline& line) {
   Contender method{line.name, MethodKind::kBaseline, line.about, {}, {}};
   if (line.exact) {
@@ -203,6 +220,14 @@ bool is_asked(const std::vector<std::string>& names, const char* name, MethodKin
          });
 }
 
+// The algorithms of papers are run by name only: they are there to be seen side by side.
+bool is_paper_asked(const std::vector<std::string>& names, const PresetInfo& line) {
+  return line.is_paper && !names.empty() &&
+         std::any_of(names.begin(), names.end(), [&](const std::string& asked) {
+           return asked == line.name || asked == kPapers;
+         });
+}
+
 void require_known(const std::vector<std::string>& names) {
   std::vector<std::string> known = method_names();
   std::string list;
@@ -210,10 +235,11 @@ void require_known(const std::vector<std::string>& names) {
   for (const MethodKind kind : {MethodKind::kNda, MethodKind::kBaseline, MethodKind::kExternal}) {
     known.push_back(to_string(kind));
   }
+  known.push_back(kPapers);
   for (const std::string& name : names) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
     throw InputError("method '" + name + "' is not known; there are " + list +
-                     ", and the groups nda, baseline, external");
+                     ", and the groups nda, paper, baseline, external");
   }
 }
 
@@ -222,6 +248,9 @@ void require_known(const std::vector<std::string>& names) {
 std::vector<std::string> method_names() {
   std::vector<std::string> names;
   for (const NdaMethod& line : kNdaMethods) names.push_back(line.name);
+  for (const PresetInfo& line : presets()) {
+    if (line.is_paper) names.push_back(line.name);
+  }
   for (const Baseline& line : kBaselines) names.push_back(line.name);
   for (const ExternalKind& line : external_kinds()) names.push_back(line.name);
   return names;
@@ -234,6 +263,9 @@ MethodChoice choose_methods(const std::vector<std::string>& names,
   for (const NdaMethod& line : kNdaMethods) {
     if (is_asked(names, line.name, MethodKind::kNda))
       choice.methods.push_back(make_contender(line));
+  }
+  for (const PresetInfo& line : presets()) {
+    if (is_paper_asked(names, line)) choice.methods.push_back(make_contender(line));
   }
   for (const Baseline& line : kBaselines) {
     if (is_asked(names, line.name, MethodKind::kBaseline)) {

@@ -18,8 +18,9 @@ struct MethodChoice {
 std::vector<std::string> method_names();
 
 /// Looks for the methods of these names; "nda", "baseline" and "external" stand for all of a kind,
-/// no name at all for everything.  A name given twice counts once.  Throws InputError for an
-/// unknown one.  SciPy is looked for only when it is asked for: that starts Python.
+/// "paper" for the presets that follow papers, no name at all for everything but those.  A name
+/// given twice counts once.  Throws InputError for an unknown one.  SciPy is looked for only when
+/// it is asked for: that starts Python.
 ///
 /// All run with relative gap 0 and one thread.  Every solution is verified by check() and its cost
 /// recomputed outside the measured time; baselines have no time limit.

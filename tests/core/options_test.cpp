@@ -3,7 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "core/option_table.hpp"
 
 namespace nda {
 namespace {
@@ -134,6 +139,86 @@ TEST(Presets, AreValidAndDiffer) {
   EXPECT_GT(preset("realtime").relative_gap, 0);
   EXPECT_EQ(preset("exact").relative_gap, 0);
   EXPECT_EQ(preset("exact").time_limit_s, kInfinity);
+}
+
+// What they are does not change with the defaults.
+constexpr std::pair<const char*, const char*> kPapers[] = {
+    {"poore-rijavec-1993",
+     "method=relaxation relaxation.kept_sets=64 relaxation.kept_exact_arcs=5 "
+     "relaxation.kept_nodes=1000 relaxation.kept_evaluations=10 "
+     "relaxation.two_first=false relaxation.merit=true relaxation.decompose=true "
+     "relaxation.set_order=as_given relaxation.recovery_order=as_given "
+     "relaxation.dual_method=bundle relaxation.assign2d=auction "
+     "relaxation.recovery=recursive relaxation.max_evaluations=50 "
+     "relaxation.recovery_evaluations=10 relaxation.recovery_interval=1000000 "
+     "relaxation.relative_tolerance=1e-07 relaxation.alignment=best_value "
+     "relaxation.inner_evaluations=0 search.reductions=none search.local_search=false "
+     "search.kicks_per_index=0 ranking.method=exact ranking.branches=4 "},
+    {"deb-1992",
+     "method=relaxation relaxation.kept_sets=64 relaxation.kept_exact_arcs=0 "
+     "relaxation.kept_nodes=0 relaxation.kept_evaluations=2 relaxation.two_first=false "
+     "relaxation.merit=false relaxation.decompose=false relaxation.set_order=as_given "
+     "relaxation.recovery_order=as_given relaxation.dual_method=subgradient "
+     "relaxation.assign2d=auction relaxation.recovery=recursive "
+     "relaxation.max_evaluations=50 relaxation.recovery_evaluations=2 "
+     "relaxation.recovery_interval=1 relaxation.relative_tolerance=1e-07 "
+     "relaxation.alignment=best_value relaxation.inner_evaluations=0 "
+     "search.reductions=none search.local_search=false search.kicks_per_index=0 "
+     "ranking.method=exact ranking.branches=4 "},
+    {"poore-1995",
+     "method=relaxation relaxation.kept_sets=2 relaxation.kept_exact_arcs=2000 "
+     "relaxation.kept_nodes=100000 relaxation.kept_evaluations=20 "
+     "relaxation.two_first=false relaxation.merit=true relaxation.decompose=true "
+     "relaxation.set_order=as_given relaxation.recovery_order=as_given "
+     "relaxation.dual_method=bundle relaxation.assign2d=auction "
+     "relaxation.recovery=recursive relaxation.max_evaluations=10 "
+     "relaxation.recovery_evaluations=10 relaxation.recovery_interval=1000000 "
+     "relaxation.relative_tolerance=1e-07 relaxation.alignment=best_value "
+     "relaxation.inner_evaluations=0 search.reductions=none search.local_search=false "
+     "search.kicks_per_index=0 ranking.method=exact ranking.branches=4 "},
+    {"partial-bnb",
+     "method=relaxation relaxation.kept_sets=2 relaxation.kept_exact_arcs=2000 "
+     "relaxation.kept_nodes=100000 relaxation.kept_evaluations=20 "
+     "relaxation.two_first=false relaxation.merit=true relaxation.decompose=true "
+     "relaxation.set_order=as_given relaxation.recovery_order=as_given "
+     "relaxation.dual_method=bundle relaxation.assign2d=auction "
+     "relaxation.recovery=recursive relaxation.max_evaluations=10 "
+     "relaxation.recovery_evaluations=10 relaxation.recovery_interval=1000000 "
+     "relaxation.relative_tolerance=1e-07 relaxation.alignment=least_violation "
+     "relaxation.inner_evaluations=10 search.reductions=none search.local_search=false "
+     "search.kicks_per_index=0 ranking.method=alignments ranking.branches=4 "},
+    {"murty-bnb",
+     "method=relaxation relaxation.kept_sets=2 relaxation.kept_exact_arcs=2000 "
+     "relaxation.kept_nodes=100000 relaxation.kept_evaluations=20 "
+     "relaxation.two_first=false relaxation.merit=true relaxation.decompose=true "
+     "relaxation.set_order=as_given relaxation.recovery_order=as_given "
+     "relaxation.dual_method=bundle relaxation.assign2d=auction "
+     "relaxation.recovery=recursive relaxation.max_evaluations=10 "
+     "relaxation.recovery_evaluations=10 relaxation.recovery_interval=1000000 "
+     "relaxation.relative_tolerance=1e-07 relaxation.alignment=least_violation "
+     "relaxation.inner_evaluations=10 search.reductions=none search.local_search=false "
+     "search.kicks_per_index=0 ranking.method=murty ranking.branches=4 "},
+};
+
+std::string settings(const Options& options) {
+  std::string text;
+  for (const core::OptionRow& row : core::option_table()) {
+    for (const char* group : {"method", "relaxation.", "search.", "ranking."}) {
+      if (row.name.starts_with(group)) text += row.name + "=" + row.text(options) + " ";
+    }
+  }
+  return text;
+}
+
+TEST(Presets, OfPapersAreFrozen) {
+  for (const auto& [name, text] : kPapers) EXPECT_EQ(settings(preset(name)), text) << name;
+  const auto papers = std::ranges::count_if(presets(), &PresetInfo::is_paper);
+  EXPECT_EQ(static_cast<std::size_t>(papers), std::size(kPapers));
+}
+
+TEST(Presets, AreAllValid) {
+  for (const PresetInfo& line : presets())
+    EXPECT_NO_THROW(validate(preset(line.name))) << line.name;
 }
 
 TEST(Presets, UnknownOnesAreRefusedByName) {
