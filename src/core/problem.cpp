@@ -83,6 +83,14 @@ std::size_t Problem::num_indices() const {
   return std::accumulate(sizes_.begin(), sizes_.end(), std::size_t{0});
 }
 
+bool Problem::is_many_to_one() const {
+  return std::any_of(use_bounds_.begin(), use_bounds_.end(), [](const auto& bounds) {
+    return std::any_of(bounds.begin() + (bounds.empty() ? 0 : 1),
+                       bounds.end(),
+                       [](const UseBounds& of) { return of != UseBounds{}; });
+  });
+}
+
 std::vector<Index> Problem::arc(std::size_t a) const {
   std::vector<Index> tuple;
   tuple.reserve(indices_.size());
@@ -115,7 +123,33 @@ ProblemBuilder::ProblemBuilder(std::vector<Index> sizes) {
     problem_.singleton_costs_.emplace_back(size + std::size_t{1}, 0.0);
     singleton_given_.emplace_back(size + std::size_t{1}, false);
   }
+  problem_.use_bounds_.resize(n);
   problem_.sizes_ = std::move(sizes);
+}
+
+void ProblemBuilder::set_use_bounds(int k, Index i, UseBounds bounds) {
+  const int n = static_cast<int>(problem_.sizes_.size());
+  if (k < 0 || k >= n) {
+    throw InputError("dimension " + std::to_string(k + 1) + " given, the problem has " +
+                     std::to_string(n));
+  }
+  const std::size_t dimension = static_cast<std::size_t>(k);
+  const std::string name = "index " + std::to_string(i) + " of dimension " + std::to_string(k + 1);
+  const Index size = problem_.sizes_[dimension];
+  if (i == 0)
+    throw InputError("the dummy of dimension " + std::to_string(k + 1) + " has no bounds");
+  if (i > size) throw InputError(name + " exceeds " + std::to_string(size));
+  if (bounds.lo > bounds.hi) {
+    throw InputError(name + " must be used " + std::to_string(bounds.lo) + " times and may only " +
+                     std::to_string(bounds.hi));
+  }
+  if (bounds.lo == UseBounds::kUnlimited) throw InputError(name + " must be used without limit");
+  std::vector<UseBounds>& all = problem_.use_bounds_[dimension];
+  if (all.empty()) {
+    all.resize(size + std::size_t{1});
+    all.front() = {0, UseBounds::kUnlimited};
+  }
+  all[i] = bounds;
 }
 
 void ProblemBuilder::reserve(std::size_t num_arcs) {

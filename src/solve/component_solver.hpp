@@ -146,10 +146,10 @@ class ComponentSolver {
   double next_wide_search_ = kHardWork;
   int improvements_ = 0;
   const double least_swap_work_ =
-      std::min(kLeastSwapWork, kLeastSwapWorkPerArc * static_cast<double>(component_.num_arcs()));
+      std::min(kLeastSwapWork, kLeastSwapWorkPerArc* static_cast<double>(component_.num_arcs()));
   double swap_credit_ = least_swap_work_;  // the first search by swaps is not too late
-  double certify_s_ = 0;                 // what making multipliers feasible took
-  double allowed_gap_ = 0;               // absolute, that ends the second stage
+  double certify_s_ = 0;                   // what making multipliers feasible took
+  double allowed_gap_ = 0;                 // absolute, that ends the second stage
   double dearest_ = 0;  // if any packing covers all required slots, one costs no more
   ComponentState state_;
 };
