@@ -22,15 +22,15 @@ namespace nda {
 /// absent, or of cost +inf, is forbidden.  Columns ascend within a row and do not repeat.
 /// All other costs are finite; solvers check nothing (see validate()).
 ///
-/// *Many-to-one*: with bounds, a row is in lo..hi pairs, what it is short of lo pays its outside cost
-/// so many times (where that is negative: what it is short of hi), and columns alike.  Only
+/// *Many-to-one*: with bounds, a row is in lo..hi pairs, what it is short of lo pays its outside
+/// cost so many times (where that is negative: what it is short of hi), and columns alike.  Only
 /// Assign2dMethod::kNetworkSimplex knows bounds.
 struct Assign2dProblem {
-  std::span<const std::uint32_t> row_start;  ///< num_rows + 1 entries
-  std::span<const std::uint32_t> column;     ///< of each pair
-  std::span<const double> cost;              ///< of each pair
-  std::span<const double> row_outside;       ///< num_rows entries
-  std::span<const double> column_outside;    ///< num_columns entries
+  std::span<const std::uint32_t> row_start;       ///< num_rows + 1 entries
+  std::span<const std::uint32_t> column;          ///< of each pair
+  std::span<const double> cost;                   ///< of each pair
+  std::span<const double> row_outside;            ///< num_rows entries
+  std::span<const double> column_outside;         ///< num_columns entries
   std::span<const UseBounds> row_bounds = {};     ///< num_rows entries, or none: all 1..1
   std::span<const UseBounds> column_bounds = {};  ///< num_columns entries, or none
 

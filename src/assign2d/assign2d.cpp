@@ -67,9 +67,8 @@ void require_bounds(const char* name,
 }
 
 bool are_all_once(std::span<const UseBounds> bounds) {
-  return std::all_of(bounds.begin(), bounds.end(), [](const UseBounds& of) {
-    return of == UseBounds{};
-  });
+  return std::all_of(
+      bounds.begin(), bounds.end(), [](const UseBounds& of) { return of == UseBounds{}; });
 }
 
 // Bounds of 1..1 are no bounds.
@@ -77,7 +76,8 @@ void require_known_bounds(Assign2dProblem& problem, Assign2dMethod method) {
   if (are_all_once(problem.row_bounds) && are_all_once(problem.column_bounds))
     problem.row_bounds = problem.column_bounds = {};
   if (problem.has_bounds() && method != Assign2dMethod::kNetworkSimplex)
-    throw InputError("the two-dimensional method needs bounds of 1..1; network simplex knows others");
+    throw InputError(
+        "the two-dimensional method needs bounds of 1..1; network simplex knows others");
 }
 
 }  // namespace

@@ -10,8 +10,8 @@
 namespace nda::lap {
 
 /// A row or column of a two-dimensional problem with bounds: used at most `hi` times; every use
-/// short of `lo` costs `single`, and is forbidden where that is +inf.  lo <= hi, all hi together are
-/// below 2^31; single >= 0 where lo < hi.
+/// short of `lo` costs `single`, and is forbidden where that is +inf.  lo <= hi, all hi together
+/// are below 2^31; single >= 0 where lo < hi.
 struct FlowNode {
   double single = 0;
   Index lo = 0;
@@ -30,7 +30,8 @@ struct FlowEdge {
 /// The answer.  With f(n) = single * max(0, lo - n) the duals prove it:
 ///
 ///     sum over rows and columns of min over 0 <= n <= hi of f(n) + u n
-///     + sum over edges of min(0, cost - u[row] - v[column])                   =  cost (to rounding)
+///     + sum over edges of min(0, cost - u[row] - v[column])                   =  cost (to
+///     rounding)
 struct FlowAnswer {
   bool feasible = true;
   bool exact = true;  ///< the costs lie on the grid of integers that was used: so do the duals

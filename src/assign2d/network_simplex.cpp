@@ -9,7 +9,8 @@
 #include "core/double_double.hpp"
 
 // The assignment is a flow whose every node is used once (assign2d/flow).  Where its duals are not
-// exact the shortest path solver repairs the last digits; where there is none it names the Hall set.
+// exact the shortest path solver repairs the last digits; where there is none it names the Hall
+// set.
 //
 // With bounds the flow is the answer.  Bounds that exceed the number of pairs are cut down to it,
 // which keeps the numbers of the flow small: uses that no pair is left for are paid alone.

@@ -14,21 +14,28 @@ constexpr double kUlp = 0x1p-53;
 
 }  // namespace
 
-ReducedCost reduced_cost_and_error(const core::Component& graph, std::span<const double> u, ArcId a) {
-  double r = graph.costs[a];
-  double magnitude = std::abs(r);
+ReducedCost reduced_cost_and_error(const core::Component& graph,
+                                   std::span<const double> u,
+                                   const CutPrices& cuts,
+                                   ArcId a) {
+  const double charge = cuts.charge.empty() ? 0.0 : cuts.charge[a];
+  double r = graph.costs[a] - charge;
+  double magnitude = std::abs(graph.costs[a]) + std::abs(charge);
   for (int k = 0; k < graph.num_dimensions(); ++k) {
     const double multiplier = u[graph.slot(k, a)];
     r -= multiplier;
     magnitude += std::abs(multiplier);
   }
-  // Each subtraction rounds off at most an ulp of a partial sum; once more for the sum of sizes.
-  return {r, (graph.num_dimensions() + 1) * kUlp * magnitude};
+  // Each subtraction, and each addition to the charge, whose terms have one sign, rounds off at
+  // most an ulp of a partial sum; twice more for the first and for the sum of sizes.
+  const double operations = graph.num_dimensions() + 2 + 2 * static_cast<double>(cuts.num_cuts);
+  return {r, operations * kUlp * magnitude};
 }
 
 double lagrangian_bound(const BoundedComponent& component,
                         std::span<const double> u,
-                        std::span<const Use> uses) {
+                        std::span<const Use> uses,
+                        const CutPrices& cuts) {
   core::DoubleDouble sum;
   double magnitude = 0;
   const auto add = [&](double term) {
@@ -43,10 +50,11 @@ double lagrangian_bound(const BoundedComponent& component,
   for (ArcId a = 0; a < component.num_arcs(); ++a) {
     const Use use = uses.empty() ? Use::kFree : uses[a];
     if (use == Use::kNever) continue;
-    const ReducedCost r = reduced_cost_and_error(component.graph, u, a);
+    const ReducedCost r = reduced_cost_and_error(component.graph, u, cuts, a);
     const double least = r.value - r.error;
     if (use == Use::kAlways || least < 0) add(least);
   }
+  add(cuts.constant - 2 * static_cast<double>(cuts.num_cuts) * kUlp * std::abs(cuts.constant));
   return std::nextafter(sum.high() - 2 * kUlp * std::abs(sum.high()) - 0x1p-90 * magnitude,
                         -kInfinity);
 }

@@ -36,7 +36,8 @@ struct Row {
 
 /// A connected component of a problem with bounds:
 ///
-///     minimise   sum of c'[a] over chosen arcs  +  sum over indices of f_i(number of chosen arcs on i).
+///     minimise   sum of c'[a] over chosen arcs  +  sum over indices of f_i(number of chosen arcs
+///     on i).
 ///
 /// `graph` has the arcs and what they cost; its slots have no other meaning than that of `rows`.
 struct BoundedComponent {

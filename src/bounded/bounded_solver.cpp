@@ -60,9 +60,8 @@ void BoundedSolver::start() {
   } else {
     ascend();
     recover(state_.u, {});
-    const bool relaxes =
-        options_.method == Method::kRelaxation ||
-        (options_.method == Method::kAuto && component_.num_arcs() > kManyArcs);
+    const bool relaxes = options_.method == Method::kRelaxation ||
+                         (options_.method == Method::kAuto && component_.num_arcs() > kManyArcs);
     if (state_.lower < state_.best.cost - margin_ && relaxes) relax();
   }
   close();

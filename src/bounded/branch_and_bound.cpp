@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <queue>
 
 #include "bounded/bound.hpp"
+#include "bounded/cut_pool.hpp"
 #include "bounded/descent.hpp"
 #include "bounded/relaxed_program.hpp"
 
@@ -25,6 +27,10 @@ constexpr std::size_t kColumnsPerIndex = 2;
 // Nodes between two roundings after the first dives.
 constexpr std::int64_t kNodesPerRounding = 8;
 constexpr std::int64_t kFirstRoundings = 64;
+// Rounds of cuts at the root, and how many of them may fail to close a share of the gap.
+constexpr int kMostCutRounds = 40;
+constexpr int kMostFruitlessRounds = 3;
+constexpr double kFruitfulShare = 0.02;
 
 struct Decision {
   int parent;  // -1: the root
@@ -67,11 +73,16 @@ class Search {
   SearchEnd search();
   bool solve_root();
   bool price();
+  bool cut();
   void fix_by_reduced_cost();
+  void fix_by(std::span<const double> u, const CutPrices& prices, double bound);
   SearchEnd branch();
   SearchEnd dive(Node node);
   bool move_to(int decision);
   lp::Outcome solve_node();
+  CutPrices prices(bool solved) const {
+    return solved && pool_ ? pool_->prices(program_) : CutPrices{};
+  }
   void round(std::span<const double> u);
   void offer_point();
   void offer_decided();
@@ -81,9 +92,7 @@ class Search {
 
   double cutoff() const { return result_.best.cost - limits_.margin; }
   bool is_closed() const { return result_.lower >= cutoff(); }
-  bool is_good_enough() const {
-    return result_.best.cost - result_.lower <= limits_.allowed_gap;
-  }
+  bool is_good_enough() const { return result_.best.cost - result_.lower <= limits_.allowed_gap; }
 
   static constexpr ArcId kNoArc = ~ArcId{0};
 
@@ -93,6 +102,7 @@ class Search {
   RelaxedProgram program_;
   std::vector<Use> uses_;    // [arc]: as the linear program has it
   std::vector<ArcId> live_;  // arcs that a better choice may use
+  std::optional<CutPool> pool_;
   double fixed_at_ = kInfinity;
   std::vector<Decision> decisions_;
   std::vector<ArcId> decided_;  // on the way to where the linear program is
@@ -107,6 +117,8 @@ SearchEnd Search::search() {
   if (is_good_enough()) return SearchEnd::kGap;
   if (limits_.max_nodes == 0) return SearchEnd::kNodes;
   fix_by_reduced_cost();
+  if (!cut()) return SearchEnd::kDeadline;
+  if (is_closed()) return SearchEnd::kComplete;
   open_.push({-1, result_.lower});
   const SearchEnd end = branch();
   if (end == SearchEnd::kComplete) raise(cutoff());
@@ -120,8 +132,8 @@ bool Search::solve_root() {
     order.emplace_back(core::reduced_cost(component_.graph, result_.u, a), a);
   const std::size_t count =
       std::min(order.size(), kFirstColumnsPerIndex * component_.rows.size() + 1);
-  std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count) - 1,
-                   order.end());
+  std::nth_element(
+      order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count) - 1, order.end());
   std::vector<ArcId> first(result_.best.arcs);
   for (std::size_t n = 0; n < count; ++n) first.push_back(order[n].second);
   std::sort(first.begin(), first.end());
@@ -154,8 +166,7 @@ bool Search::price() {
   }
   const std::size_t most = kColumnsPerIndex * component_.rows.size() + 1;
   if (cheap.size() > most) {
-    std::nth_element(
-        cheap.begin(), cheap.begin() + static_cast<std::ptrdiff_t>(most), cheap.end());
+    std::nth_element(cheap.begin(), cheap.begin() + static_cast<std::ptrdiff_t>(most), cheap.end());
     cheap.resize(most);
   }
   std::vector<ArcId> added;
@@ -165,16 +176,42 @@ bool Search::price() {
   return !added.empty() && !is_closed();
 }
 
-// The bound of all choices that use an arc of reduced cost r > 0 is higher by r.
+// Cuts at the root, as long as they raise the bound; false at the deadline.
+bool Search::cut() {
+  pool_.emplace(component_, live_);
+  int fruitless = 0;
+  for (int n = 0; n < kMostCutRounds && fruitless < kMostFruitlessRounds && !is_closed(); ++n) {
+    const lp::Outcome outcome = program_.solve_dual(limits_.deadline, kInfinity);
+    if (outcome == lp::Outcome::kStopped) return false;
+    if (outcome != lp::Outcome::kOptimal) return true;
+    const std::vector<double> u = program_.multipliers();
+    const CutPrices prices = pool_->prices(program_);
+    const double bound = lagrangian_bound(component_, u, uses_, prices);
+    const bool fruitful = bound - result_.lower > kFruitfulShare * (cutoff() - result_.lower);
+    fruitless = fruitful ? 0 : fruitless + 1;
+    raise(std::min(bound, cutoff()));
+    round(u);
+    fix_by(u, prices, bound);
+    if (pool_->separate(program_, limits_.deadline) == 0) return true;
+  }
+  return true;
+}
+
+// All arcs that a better choice may use, by the multipliers of the root.
 void Search::fix_by_reduced_cost() {
   fixed_at_ = result_.best.cost;
-  const double rounding = 0x1p-52 * (std::abs(cutoff()) + std::abs(result_.certificate));
-  const double slack = cutoff() - result_.certificate + rounding;
+  fix_by(result_.u, {}, result_.certificate);
+}
+
+// The bound of all choices that use an arc of reduced cost r > 0 is higher by r.
+void Search::fix_by(std::span<const double> u, const CutPrices& prices, double bound) {
+  const double rounding = 0x1p-52 * (std::abs(cutoff()) + std::abs(bound));
+  const double slack = cutoff() - bound + rounding;
   live_.clear();
   std::vector<ArcId> added;
   for (ArcId a = 0; a < component_.num_arcs(); ++a) {
     if (uses_[a] == Use::kNever) continue;
-    const ReducedCost r = reduced_cost_and_error(component_.graph, result_.u, a);
+    const ReducedCost r = reduced_cost_and_error(component_.graph, u, prices, a);
     if (r.value - r.error >= slack) {
       uses_[a] = Use::kNever;
       if (program_.has(a)) program_.fix(a, Use::kNever);
@@ -217,7 +254,7 @@ SearchEnd Search::dive(Node node) {
     }
     const bool solved = outcome == lp::Outcome::kOptimal;
     const std::vector<double> u = solved ? program_.multipliers() : result_.u;
-    node.bound = std::max(node.bound, lagrangian_bound(component_, u, uses_));
+    node.bound = std::max(node.bound, lagrangian_bound(component_, u, uses_, prices(solved)));
     if (node.bound >= cutoff()) return SearchEnd::kComplete;
     if (solved) offer_point();
     if (result_.nodes <= kFirstRoundings || result_.nodes % kNodesPerRounding == 0) round(u);
@@ -268,7 +305,7 @@ bool Search::move_to(int decision) {
 lp::Outcome Search::solve_node() {
   lp::Outcome outcome = program_.solve_dual(limits_.deadline, cutoff());
   if (outcome != lp::Outcome::kCutoff) return outcome;
-  if (lagrangian_bound(component_, program_.multipliers(), uses_) >= cutoff())
+  if (lagrangian_bound(component_, program_.multipliers(), uses_, prices(true)) >= cutoff())
     return lp::Outcome::kOptimal;
   outcome = program_.solve_dual(limits_.deadline, kInfinity);
   return outcome == lp::Outcome::kCutoff ? lp::Outcome::kFailed : outcome;

@@ -40,10 +40,11 @@ struct SearchResult {
 
 /// The best choice of a component by linear programs and branching on arcs.
 ///
-/// Column generation solves the linear relaxation, reduced costs fix arcs, and the rest is searched:
-/// the node of the lowest bound first, and from there down along the branch that the relaxation
-/// prefers until that ends.  No bound is taken from the linear program: lagrangian_bound() computes
-/// it from the duals, rounding taken off, so numerical trouble costs time and nothing else.
+/// Column generation solves the linear relaxation, reduced costs fix arcs, and the rest is
+/// searched: the node of the lowest bound first, and from there down along the branch that the
+/// relaxation prefers until that ends.  No bound is taken from the linear program:
+/// lagrangian_bound() computes it from the duals, rounding taken off, so numerical trouble costs
+/// time and nothing else.
 ///
 /// @param start  a choice to improve on
 /// @param u      multipliers to begin with, by slot

@@ -61,9 +61,8 @@ class Descent {
 
   bool fits(ArcId a) const {
     bool room = true;
-    core::for_each_slot(graph_, a, [&](std::uint32_t slot) {
-      room = room && uses(slot) < row(slot).hi;
-    });
+    core::for_each_slot(
+        graph_, a, [&](std::uint32_t slot) { room = room && uses(slot) < row(slot).hi; });
     return room;
   }
 
@@ -88,9 +87,7 @@ class Descent {
   }
 
   void remove(ArcId a) {
-    core::for_each_slot(graph_, a, [&](std::uint32_t slot) {
-      std::erase(on_[slot], a);
-    });
+    core::for_each_slot(graph_, a, [&](std::uint32_t slot) { std::erase(on_[slot], a); });
   }
 
   static bool gains(double change, double size) { return change < -kLeastGain * size; }

@@ -105,9 +105,8 @@ void DualFunction::keep_cheapest(std::size_t first, std::size_t last, Index most
   const auto count = std::min<std::size_t>(most, last - first);
   const auto kept = begin + static_cast<std::ptrdiff_t>(count);
   if (kept != end) {
-    std::nth_element(begin, kept, end, [&](ArcId a, ArcId b) {
-      return r_[a] != r_[b] ? r_[a] < r_[b] : a < b;
-    });
+    std::nth_element(
+        begin, kept, end, [&](ArcId a, ArcId b) { return r_[a] != r_[b] ? r_[a] < r_[b] : a < b; });
   }
   std::for_each(begin, kept, [&](ArcId a) { add_edge(a); });
 }

@@ -50,9 +50,9 @@ class DualFunction : public dual::ConcaveFunction {
   std::uint32_t first_slot_ = 0;
   std::vector<lap::FlowNode> rows_;
   std::vector<lap::FlowNode> columns_;
-  std::vector<core::ArcId> by_cell_;    // all arcs, those of a cell side by side
-  std::vector<std::size_t> cell_;       // where each begins, and the end
-  std::vector<double> r_;               // [arc] without dimensions 0 and 1
+  std::vector<core::ArcId> by_cell_;  // all arcs, those of a cell side by side
+  std::vector<std::size_t> cell_;     // where each begins, and the end
+  std::vector<double> r_;             // [arc] without dimensions 0 and 1
   std::vector<lap::FlowEdge> edges_;
   std::vector<core::ArcId> edge_arc_;
   std::vector<core::ArcId> chosen_;

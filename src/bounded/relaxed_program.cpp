@@ -13,6 +13,7 @@ RelaxedProgram::RelaxedProgram(const BoundedComponent& component)
     row_[slot] = program_.num_rows();
     program_.add_row({}, component.rows[slot].lo);
   });
+  num_indices_ = static_cast<std::size_t>(program_.num_rows());
   for (int row = 0; row < program_.num_rows(); ++row) program_.set_equality(row, true);
   core::for_each_index(component.graph, [&](std::uint32_t slot, std::size_t, Index) {
     const Row& row = component.rows[slot];
@@ -35,6 +36,16 @@ void RelaxedProgram::add_arcs(std::span<const ArcId> arcs) {
     column_[a] = program_.num_columns();
     program_.add_column({index, ones}, component_.graph.costs[a], 1.0);
   }
+}
+
+void RelaxedProgram::add_cut(std::span<const cutting::CutEntry> entries, double right_side) {
+  std::vector<int> index;
+  std::vector<double> value;
+  for (const cutting::CutEntry& entry : entries) {
+    index.push_back(column_[entry.arc]);
+    value.push_back(entry.coefficient);
+  }
+  program_.add_row({index, value}, right_side);
 }
 
 void RelaxedProgram::fix(ArcId a, Use use) {

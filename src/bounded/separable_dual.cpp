@@ -20,8 +20,8 @@ double part_of(const Row& row, std::span<const double> costs, double u) {
 // Where that is largest.  Its slope is the number of uses that f wants minus the arcs cheaper than
 // u: hi below 0, lo between 0 and single, none above.
 double best_multiplier(const Row& row, std::span<const double> costs) {
-  const auto paying = static_cast<Index>(
-      std::lower_bound(costs.begin(), costs.end(), 0.0) - costs.begin());
+  const auto paying =
+      static_cast<Index>(std::lower_bound(costs.begin(), costs.end(), 0.0) - costs.begin());
   const auto between = [&](Index last) {
     const double next = last < costs.size() ? costs[last] : costs[last - 1];
     return costs[last - 1] + (next - costs[last - 1]) / 2;
@@ -44,8 +44,7 @@ double SeparableDual::evaluate(std::span<const double> u, std::span<double> subg
     const double r = core::reduced_cost(component_.graph, u, a);
     if (r >= 0) continue;
     value += r;
-    core::for_each_slot(
-        component_.graph, a, [&](std::uint32_t slot) { subgradient[slot] -= 1.0; });
+    core::for_each_slot(component_.graph, a, [&](std::uint32_t slot) { subgradient[slot] -= 1.0; });
   }
   for (std::size_t slot = 0; slot < u.size(); ++slot) {
     const Row& row = component_.rows[slot];

@@ -11,7 +11,8 @@ namespace nda::bounded {
 
 /// The Lagrangian dual of a component with all dimensions relaxed:
 ///
-///     q(u) = sum over indices of min over 0 <= n <= hi of f(n) + u n  +  sum over arcs of min(0, r_a).
+///     q(u) = sum over indices of min over 0 <= n <= hi of f(n) + u n  +  sum over arcs of min(0,
+///     r_a).
 ///
 /// Variables are all slots, those of the dummies must be 0.  Its maximum is the value of the linear
 /// relaxation.  A block is a dimension, whose indices share no arc.

@@ -59,7 +59,8 @@ class Splitter {
   // What is asked for; an index whose singleton pays is left alone as often as it may be.
   void read_rows() {
     for (std::size_t k = 0; k < num_dimensions(); ++k) {
-      std::vector<Row>& rows = rows_.emplace_back(problem_.size(static_cast<int>(k)) + std::size_t{1});
+      std::vector<Row>& rows =
+          rows_.emplace_back(problem_.size(static_cast<int>(k)) + std::size_t{1});
       for (Index i = 1; i < rows.size(); ++i) {
         const UseBounds asked = problem_.use_bounds(static_cast<int>(k), i);
         rows[i].single = single(k, i);
@@ -110,8 +111,9 @@ class Splitter {
           continue;
         }
         if (row.is_forced && row.lo > degree) return set_infeasible(k, i, degree);
-        const bool is_linear = row.is_forced ? row.lo == 0 && row.hi >= degree
-                                             : row.hi >= degree && (row.lo == 0 || row.lo >= degree);
+        const bool is_linear = row.is_forced
+                                   ? row.lo == 0 && row.hi >= degree
+                                   : row.hi >= degree && (row.lo == 0 || row.lo >= degree);
         if (!is_linear) {
           couples_[k][i] = 1;
         } else if (row.lo > 0) {
@@ -125,9 +127,8 @@ class Splitter {
 
   void set_infeasible(std::size_t k, Index i, Index degree) {
     if (!split_.infeasible.empty()) return;
-    split_.infeasible = core::index_text(k, i) + " must be used " +
-                        std::to_string(rows_[k][i].lo) + " times, and " +
-                        std::to_string(degree) +
+    split_.infeasible = core::index_text(k, i) + " must be used " + std::to_string(rows_[k][i].lo) +
+                        " times, and " + std::to_string(degree) +
                         (degree == 1 ? " arc contains it" : " arcs contain it");
   }
 
@@ -253,8 +254,8 @@ double largest_cost(const BoundedComponent& component) {
 
 void set_modest_penalties(BoundedComponent& component) {
   const double largest = largest_cost(component);
-  const double penalty = kArcsPerDimension * (component.graph.num_dimensions() + 1) *
-                         (largest > 0 ? largest : 1.0);
+  const double penalty =
+      kArcsPerDimension * (component.graph.num_dimensions() + 1) * (largest > 0 ? largest : 1.0);
   for (Row& row : component.rows) {
     if (row.is_forced) row.single = penalty;
   }

@@ -20,7 +20,7 @@ namespace nda::bounded {
 struct Split {
   std::string infeasible;  ///< why, where an index has fewer arcs than it must have uses
   std::vector<std::vector<double>> charge;  ///< [k][i]: multiplier of what is in neither
-  double constant = 0;  ///< cost of what is in neither, with nothing but `taken` chosen
+  double constant = 0;             ///< cost of what is in neither, with nothing but `taken` chosen
   std::vector<core::ArcId> taken;  ///< arcs that couple nothing and pay
   std::vector<double> taken_cost;  ///< what each adds to the cost
   std::vector<BoundedComponent> parts;  ///< indices with penalties in place of forbidden singletons

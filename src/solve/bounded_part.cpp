@@ -131,13 +131,13 @@ std::string BoundedPart::why_infeasible(const BoundedComponent& count,
   core::for_each_index(count.graph, [&](std::uint32_t slot, std::size_t k, Index i) {
     if (!count.rows[slot].is_forced || count.rows[slot].lo == 0) return;
     if (by_multipliers && state.u[slot] <= 0) return;
-    if (number++ < kMostNames)
-      names += (names.empty() ? "" : ", ") + core::index_text(k, i);
+    if (number++ < kMostNames) names += (names.empty() ? "" : ", ") + core::index_text(k, i);
   });
   if (number > kMostNames) names += " and " + std::to_string(number - kMostNames) + " more";
   const auto missing = static_cast<long long>(std::llround(state.best.cost));
-  return names + (number == 1 ? " cannot be used as often as it must"
-                              : " cannot all be used as often as they must") +
+  return names +
+         (number == 1 ? " cannot be used as often as it must"
+                      : " cannot all be used as often as they must") +
          ": " + std::to_string(missing) + (missing == 1 ? " use is" : " uses are") +
          " missing at least";
 }
@@ -149,7 +149,7 @@ ComponentReport BoundedPart::report() const {
                        known.stopped,
                        known.complete && is_feasible_,
                        is_feasible_ ? known.best.cost : kInfinity,
-                       std::min(known.lower, known.best.cost),
+                       std::min(lower_bound(), known.best.cost),
                        known.method};
   if (is_infeasible()) {
     line.status = Status::kInfeasible;

@@ -36,6 +36,11 @@ class BoundedPart {
   bool on_grid() const { return precision_.on_grid(); }
   /// By how much costs and bounds may be beside the truth.
   double error() const { return on_grid() ? precision_.error : precision_.margin; }
+  /// No solution of the part costs less: on a grid a proof to less than a step is a proof of the
+  /// cost.
+  double lower_bound() const {
+    return state().complete && on_grid() ? state().best.cost : state().lower;
+  }
   /// The best choice pays no penalty.
   bool is_feasible() const { return is_feasible_; }
   /// There is no solution, and why.

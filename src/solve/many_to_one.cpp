@@ -72,17 +72,20 @@ class ManyToOne {
     core::DoubleDouble constant(split_.constant);
     for (const double cost : split_.taken_cost) constant.add(cost);
     monitor_.begin(constant.high(), split_.parts.size() + 1, split_.parts.size() + 1);
+    std::stable_sort(split_.parts.begin(), split_.parts.end(), [](const auto& a, const auto& b) {
+      return a.num_arcs() < b.num_arcs();
+    });
     for (bounded::BoundedComponent& component : split_.parts) {
       parts_.push_back(std::make_unique<BoundedPart>(
           std::move(component), options_, grid_, deadline_, monitor_));
     }
   }
 
+  // Small parts first: a large one may take all the time there is.
   template <typename Work>
   void for_all_parts(Work&& work) {
-    for_all(parts_.size(), options_.num_threads, [&](std::size_t p, std::size_t) {
-      work(*parts_[p]);
-    });
+    for_all(
+        parts_.size(), options_.num_threads, [&](std::size_t p, std::size_t) { work(*parts_[p]); });
   }
 
   Options with_limit(double seconds) {
@@ -115,6 +118,7 @@ class ManyToOne {
     Progress now;
     now.cost = rest_->cost;
     now.lower_bound = rest_->lower_bound;
+    now.event = "rest";
     hear(now);
   }
 
@@ -135,8 +139,7 @@ class ManyToOne {
     const double bound_change = lower < kInfinity ? lower - heard_bound_ : 0;
     heard_cost_ = cost;
     heard_bound_ += bound_change;
-    if (cost_change != 0 || bound_change != 0)
-      monitor_.moved(cost_change, bound_change, now.event);
+    if (cost_change != 0 || bound_change != 0) monitor_.moved(cost_change, bound_change, now.event);
     return !deadline_.interrupted();
   }
 
@@ -161,7 +164,7 @@ class ManyToOne {
     for (const double cost : split_.taken_cost) sum.add(cost);
     sum.add(of_cost ? rest_->cost : rest_->lower_bound);
     for (const auto& part : parts_)
-      sum.add(of_cost ? part->state().best.cost : part->state().lower);
+      sum.add(of_cost ? part->state().best.cost : part->lower_bound());
     return sum.high();
   }
 
@@ -282,8 +285,8 @@ class ManyToOne {
 
   void merge_multipliers(Solution& solution) const {
     for (std::size_t k = 0; k < split_.charge.size(); ++k) {
-      std::vector<double>& u = solution.multipliers.emplace_back(split_.charge[k].begin() + 1,
-                                                                 split_.charge[k].end());
+      std::vector<double>& u =
+          solution.multipliers.emplace_back(split_.charge[k].begin() + 1, split_.charge[k].end());
       for (std::size_t i = 0; i < u.size(); ++i) {
         if (split_.in_rest[k][i + 1] != 0 && !rest_->multipliers.empty())
           u[i] = rest_->multipliers[k][i];
@@ -291,9 +294,10 @@ class ManyToOne {
     }
     for (const auto& part : parts_) {
       const std::vector<double>& u = part->state().u;
-      core::for_each_index(part->component().graph, [&](std::uint32_t slot, std::size_t k, Index i) {
-        solution.multipliers[k][i - 1] = u[slot];
-      });
+      core::for_each_index(part->component().graph,
+                           [&](std::uint32_t slot, std::size_t k, Index i) {
+                             solution.multipliers[k][i - 1] = u[slot];
+                           });
     }
   }
 
@@ -308,14 +312,15 @@ class ManyToOne {
         parts_.begin(), parts_.end(), [](const auto& part) { return part->on_grid(); });
   }
 
-  // On a grid whose costs are exact a proof to less than a step is a proof of the cost.
+  // Integers are added without error.
   void merge_bounds(Solution& solution) const {
     const double certificate = solution.stats.certificate_bound;
     const bool exact = !solution.solutions.empty() && is_complete() && is_on_grid() && grid_.exact;
     const double searched = exact ? solution.cost : total(false) - error();
     solution.lower_bound = std::min(std::max(certificate, searched), solution.cost);
     const bool is_zero = solution.cost == 0 && solution.lower_bound == 0;
-    if (!is_zero && !solution.solutions.empty() && is_negligible(solution.cost - certificate, solution.cost))
+    if (!is_zero && !solution.solutions.empty() &&
+        is_negligible(solution.cost - certificate, solution.cost))
       solution.lower_bound = std::min(certificate, solution.cost);
     solution.stats.bound_by_branching = solution.lower_bound > certificate;
   }
@@ -336,7 +341,8 @@ class ManyToOne {
       solution.proven = solution.solutions.front().proven = true;
     } else if (is_complete() || rest_->status == Status::kPrecisionLost) {
       solution.status = Status::kPrecisionLost;
-      solution.reason = "the rounding of the costs hides differences of " + figure_text(2 * error());
+      solution.reason =
+          "the rounding of the costs hides differences of " + figure_text(2 * error());
     } else if (options_.relative_gap > 0 && solution.relative_gap() <= options_.relative_gap) {
       solution.status = Status::kGapReached;
     } else {
