@@ -140,6 +140,8 @@ class ProblemBuilder {
   Problem build() &&;
 
  private:
+  void settle_use_bounds();
+
   Problem problem_;
   std::vector<std::vector<bool>> singleton_given_;
 };

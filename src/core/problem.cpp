@@ -6,6 +6,8 @@
 #include <numeric>
 #include <string>
 
+#include "core/fault_text.hpp"
+
 // A problem is stored as structure of arrays, arcs in lexicographic order: the first two dimensions
 // of consecutive arcs then agree for long stretches, which is what the collapse of eq. (3.3) wants.
 // Arcs are sorted by one stable counting sort per dimension, the last dimension first (radix sort
@@ -84,11 +86,8 @@ std::size_t Problem::num_indices() const {
 }
 
 bool Problem::is_many_to_one() const {
-  return std::any_of(use_bounds_.begin(), use_bounds_.end(), [](const auto& bounds) {
-    return std::any_of(bounds.begin() + (bounds.empty() ? 0 : 1),
-                       bounds.end(),
-                       [](const UseBounds& of) { return of != UseBounds{}; });
-  });
+  return std::any_of(
+      use_bounds_.begin(), use_bounds_.end(), [](const auto& bounds) { return !bounds.empty(); });
 }
 
 std::vector<Index> Problem::arc(std::size_t a) const {
@@ -195,8 +194,25 @@ void ProblemBuilder::add_arc(std::span<const Index> tuple, double cost) {
   problem_.costs_.push_back(cost);
 }
 
+void ProblemBuilder::settle_use_bounds() {
+  for (std::size_t k = 0; k < problem_.use_bounds_.size(); ++k) {
+    std::vector<UseBounds>& all = problem_.use_bounds_[k];
+    bool any = false;
+    for (std::size_t i = 1; i < all.size(); ++i) {
+      any = any || all[i] != UseBounds{};
+      const double cost = problem_.singleton_costs_[k][i];
+      if (all[i].hi == UseBounds::kUnlimited && cost < 0) {
+        throw InputError(core::index_text(k, i) + " may be used without limit and alone costs " +
+                         core::number_text(cost) + ": there is no least cost");
+      }
+    }
+    if (!any) all.clear();
+  }
+}
+
 Problem ProblemBuilder::build() && {
   if (problem_.sizes_.empty()) throw InputError("the builder has given its problem away already");
+  settle_use_bounds();
   Columns& columns = problem_.indices_;
   std::vector<double>& costs = problem_.costs_;
   if (!strictly_sorted(columns, costs.size())) {

@@ -6,12 +6,12 @@
 #include <utility>
 #include <vector>
 
+#include "core/use_bounds.hpp"
 #include "kbest/near_optimal.hpp"
 #include "kbest/ranker.hpp"
 #include "kbest/ranking_progress.hpp"
 #include "kbest/ranks.hpp"
 #include "nda/solve.hpp"
-#include "solve/single_use.hpp"
 #include "solve/supervision.hpp"
 
 namespace nda {
@@ -42,10 +42,10 @@ void rank(const Problem& problem, Solution& solution, std::size_t k, const Optio
 
 Solution solve_k_best(const Problem& problem, std::size_t k, const Options& options) {
   if (k == 0) throw InputError("k is 0; at least 1 solution must be asked for");
-  if (k > 1) pipeline::require_single_use(problem, "a list of the k best");
+  if (k > 1 || options.ranking.method != RankingMethod::kExact)
+    core::require_single_uses(problem, "ranking");
   Solution solution = solve(problem, options);
   if (solution.solutions.empty()) return solution;
-  if (problem.is_many_to_one()) return solution;
   if (options.ranking.method != RankingMethod::kExact) {
     kbest::rank_near_optimal(problem, solution, k, options);
   } else if (k > 1) {

@@ -12,12 +12,12 @@
 #include "bounded/split.hpp"
 #include "core/double_double.hpp"
 #include "core/shift.hpp"
+#include "core/use_bounds.hpp"
 #include "nda/check.hpp"
 #include "solve/bounded_part.hpp"
 #include "solve/costs.hpp"
 #include "solve/parallel.hpp"
 #include "solve/process.hpp"
-#include "solve/single_use.hpp"
 #include "solve/supervision.hpp"
 #include "solve/uses.hpp"
 
@@ -30,6 +30,7 @@ namespace {
 
 using core::ArcId;
 
+// Beyond this sums and squares of costs might overflow.
 constexpr double kLargestCost = 1e100;
 // Of the time that is left, what the rest may take at least when parts are open.
 constexpr double kLeastShare = 0.1;
@@ -45,7 +46,7 @@ class ManyToOne {
 
   Solution run() {
     const double largest = largest_cost(problem_);
-    if (largest > kLargestCost) return overflow(problem_, largest);
+    if (largest > kLargestCost) return overflow_with_bounds(largest);
     grid_ = core::find_grid(problem_, deadline_);
     split_ = bounded::split(problem_, deadline_);
     if (!split_.infeasible.empty()) return infeasible(split_.infeasible);
@@ -205,6 +206,14 @@ class ManyToOne {
     for (const Index size : problem_.sizes()) solution.multipliers.emplace_back(size, 0.0);
     set_certificate(solution);
     set_time(solution);
+    return solution;
+  }
+
+  // As of one-to-one problems: nothing chosen, multipliers 0.
+  Solution overflow_with_bounds(double largest) const {
+    Solution solution = without_search();
+    solution.status = Status::kPrecisionLost;
+    solution.reason = overflow_reason(largest);
     return solution;
   }
 
@@ -400,7 +409,7 @@ class ManyToOne {
 Solution solve_many_to_one(const Problem& problem,
                            const Options& options,
                            const SolveOnce& solve_once) {
-  if (options.proof) require_single_use(problem, "a proof");
+  if (options.proof) core::require_single_uses(problem, "a proof");
   return ManyToOne(problem, options, solve_once).run();
 }
 

@@ -3,23 +3,11 @@
 #include <algorithm>
 
 #include "core/double_double.hpp"
+#include "core/use_bounds.hpp"
 
 namespace nda::pipeline {
 
 using core::ArcId;
-
-namespace {
-
-// What an index asks for so many uses; nothing where it may not have so many.
-std::optional<double> cost_of_uses(const UseBounds& bounds, double single, Index uses) {
-  if (uses > bounds.hi) return std::nullopt;
-  const Index wanted = single < 0 ? bounds.hi : bounds.lo;
-  if (uses >= wanted) return 0.0;
-  if (single == kInfinity) return std::nullopt;
-  return single * (wanted - uses);
-}
-
-}  // namespace
 
 std::optional<RankedSolution> solution_of_uses(const Problem& problem, std::vector<ArcId> arcs) {
   std::sort(arcs.begin(), arcs.end());
@@ -33,10 +21,10 @@ std::optional<RankedSolution> solution_of_uses(const Problem& problem, std::vect
     std::vector<Index> uses(problem.size(k) + std::size_t{1}, 0);
     for (const ArcId a : arcs) ++uses[problem.indices(k)[a]];
     for (Index i = 1; i < uses.size(); ++i) {
-      const auto asked =
-          cost_of_uses(problem.use_bounds(k, i), problem.singleton_costs(k)[i], uses[i]);
-      if (!asked) return std::nullopt;
-      cost.add(*asked);
+      const double single = problem.singleton_costs(k)[i];
+      const auto times = core::singleton_uses(problem.use_bounds(k, i), single, uses[i]);
+      if (!times) return std::nullopt;
+      if (*times > 0) cost.add(single * static_cast<double>(*times));
     }
   }
   solution.cost = cost.high();
