@@ -20,8 +20,10 @@ using core::ArcId;
 
 constexpr int kSweeps = 10;
 // Above this the relaxation to two dimensions goes before the linear program.
-constexpr std::size_t kManyArcs = 20000;
+constexpr std::size_t kManyArcs = 200000;
 constexpr int kEvaluationsBeforeLp = 30;
+// A choice is recovered from the arcs of least reduced cost, so many per index.
+constexpr std::size_t kRecoveredArcsPerIndex = 12;
 
 }  // namespace
 
@@ -141,11 +143,14 @@ void BoundedSolver::recover(std::span<const double> u, std::span<const ArcId> pr
   std::vector<std::pair<double, ArcId>> order;
   for (ArcId a = 0; a < component_.num_arcs(); ++a)
     order.emplace_back(core::reduced_cost(component_.graph, u, a), a);
-  std::sort(order.begin(), order.end());
+  const std::size_t count = std::min(order.size(), kRecoveredArcsPerIndex * component_.rows.size());
+  const auto end = order.begin() + static_cast<std::ptrdiff_t>(count);
+  std::partial_sort(order.begin(), end, order.end());
   std::vector<ArcId> arcs(preferred.begin(), preferred.end());
-  for (const auto& [r, a] : order) {
-    if (!std::binary_search(preferred.begin(), preferred.end(), a)) arcs.push_back(a);
-  }
+  std::for_each(order.begin(), end, [&](const auto& one) {
+    if (!std::binary_search(preferred.begin(), preferred.end(), one.second))
+      arcs.push_back(one.second);
+  });
   offer(greedy_descent(component_, arcs, deadline_), "recovery");
 }
 

@@ -24,6 +24,8 @@ constexpr double kIntegral = 1e-6;
 // Of column generation: columns to begin with and to add at once, per index.
 constexpr std::size_t kFirstColumnsPerIndex = 6;
 constexpr std::size_t kColumnsPerIndex = 2;
+// A choice is rounded from the arcs of least reduced cost, so many per index.
+constexpr std::size_t kRoundedArcsPerIndex = 6;
 // Nodes between two roundings after the first dives.
 constexpr std::int64_t kNodesPerRounding = 8;
 constexpr std::int64_t kFirstRoundings = 64;
@@ -322,12 +324,15 @@ void Search::round(std::span<const double> u) {
   } else {
     std::for_each(live_.begin(), live_.end(), note);
   }
-  std::sort(order.begin(), order.end(), [&](const auto& one, const auto& other) {
-    const double more = program_.use(one.second) - program_.use(other.second);
-    return std::abs(more) > kIntegral ? more > 0 : one < other;
+  // Arcs in use have reduced cost 0 or less.
+  const std::size_t count = std::min(order.size(), kRoundedArcsPerIndex * component_.rows.size());
+  const auto end = order.begin() + static_cast<std::ptrdiff_t>(count);
+  std::partial_sort(order.begin(), end, order.end());
+  std::stable_sort(order.begin(), end, [&](const auto& one, const auto& other) {
+    return program_.use(one.second) > program_.use(other.second);
   });
   std::vector<ArcId> arcs;
-  for (const auto& [r, a] : order) arcs.push_back(a);
+  std::for_each(order.begin(), end, [&](const auto& one) { arcs.push_back(one.second); });
   offer(greedy_descent(component_, arcs, limits_.deadline));
 }
 
