@@ -103,7 +103,7 @@ Network::Network(std::span<const FlowNode> rows,
   for (const FlowEdge& edge : edges) {
     const Graph::Node from = edge.row == FlowEdge::kOutside ? dummy_ : rows_[edge.row];
     const Graph::Node to = edge.column == FlowEdge::kOutside ? dummy_ : columns_[edge.column];
-    edges_.push_back(add_arc(from, to, edge.cost, 1));
+    edges_.push_back(add_arc(from, to, edge.cost, edge.most));
   }
   int balance = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -18,13 +18,15 @@ struct FlowNode {
   Index hi = 0;
 };
 
-/// What may be chosen once: a use of a row and a column, or of one of them.
+/// What may be chosen once, or `most` times where row or column let it: a use of a row and a
+/// column, or of one of them.
 struct FlowEdge {
   static constexpr std::uint32_t kOutside = ~std::uint32_t{0};
 
   std::uint32_t row;     ///< kOutside: none
   std::uint32_t column;  ///< kOutside: none; never both
   double cost;           ///< +inf: forbidden
+  Index most = 1;        ///< more than a node may be used: its reduced cost is never negative
 };
 
 /// The answer.  With f(n) = single * max(0, lo - n) the duals prove it:

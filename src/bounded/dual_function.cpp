@@ -108,10 +108,12 @@ void DualFunction::keep_cheapest(std::size_t first, std::size_t last, Index most
     std::nth_element(
         begin, kept, end, [&](ArcId a, ArcId b) { return r_[a] != r_[b] ? r_[a] < r_[b] : a < b; });
   }
-  std::for_each(begin, kept, [&](ArcId a) { add_edge(a); });
+  // Where a cell is used once, its indices see to that: then what its other arcs cost more is above
+  // what the duals ask.
+  std::for_each(begin, kept, [&](ArcId a) { add_edge(a, most == 1 ? 2 : 1); });
 }
 
-void DualFunction::add_edge(ArcId a) {
+void DualFunction::add_edge(ArcId a, Index most) {
   const core::Component& graph = component_.graph;
   const std::uint32_t row = node_of(graph.index(0, a));
   const std::uint32_t column =
@@ -121,7 +123,7 @@ void DualFunction::add_edge(ArcId a) {
     chosen_.push_back(a);
     return;
   }
-  edges_.push_back({row, column, r_[a]});
+  edges_.push_back({row, column, r_[a], most});
   edge_arc_.push_back(a);
 }
 

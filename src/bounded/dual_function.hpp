@@ -36,14 +36,15 @@ class DualFunction : public dual::ConcaveFunction {
   std::span<const core::ArcId> chosen_arcs() const { return chosen_; }
 
   /// Multipliers of all slots at the last point: those of the flow for dimensions 0 and 1.  They
-  /// prove q(u), to the accuracy of the flow.
+  /// prove q(u), to the accuracy of the flow; less where a cell has more arcs than both of its
+  /// indices may use, but may use several.
   void multipliers(std::span<double> all) const;
 
  private:
   void find_cells();
   void collapse();
   void keep_cheapest(std::size_t first, std::size_t last, Index most);
-  void add_edge(core::ArcId a);
+  void add_edge(core::ArcId a, Index most);
   double take_flow(const lap::FlowAnswer& answer);
 
   const BoundedComponent& component_;

@@ -247,7 +247,7 @@ double largest_cost(const BoundedComponent& component) {
   double largest = 0;
   for (const double cost : component.graph.costs) largest = std::max(largest, std::abs(cost));
   for (const Row& row : component.rows) {
-    if (row.single < kInfinity) largest = std::max(largest, std::abs(row.single));
+    if (!row.is_forced) largest = std::max(largest, std::abs(row.single));
   }
   return largest;
 }

@@ -48,7 +48,7 @@ void set_modest_penalties(BoundedComponent& component);
 /// use costs more.
 void set_penalties_above(BoundedComponent& component, double cost);
 
-/// Largest |c'| and finite single of the component.
+/// Largest |c'| and |single| of the component, penalties apart.
 double largest_cost(const BoundedComponent& component);
 
 }  // namespace nda::bounded

@@ -18,8 +18,9 @@ constexpr std::size_t kMostNames = 8;
 // Missing uses are counted: one less is less by 1.
 constexpr double kCountMargin = 0.5;
 // What bounds from a linear program can be relied on to reach, relative to the sum of all sizes.
-constexpr double kProgramError = 0x1p-40;
+constexpr double kProgramError = 0x1p-43;
 
+// Penalties do not count: bounds allow for what they round off, and solutions pay none.
 Precision precision_of_part(const BoundedComponent& component, const core::CostGrid& grid) {
   const double scale = bounded::most_uses(component) * bounded::largest_cost(component);
   Precision precision;

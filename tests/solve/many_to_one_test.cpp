@@ -5,22 +5,22 @@
 #include <string>
 #include <vector>
 
-#include "many_to_one_problems.hpp"
 #include "nda/k_best.hpp"
 #include "nda/solve.hpp"
+#include "support/many_to_one_problems.hpp"
 
 namespace nda {
 namespace {
 
-using test::best_of_all;
-using test::BoundedKind;
-using test::random_bounded_problem;
+using support::best_of_all;
+using support::BoundedKind;
+using support::random_bounded_problem;
 using ::testing::HasSubstr;
 
 std::optional<double> cost_of(const Problem& problem, const Solution& solution) {
   std::vector<std::size_t> arcs;
   for (const auto& tuple : solution.solutions.front().arcs) arcs.push_back(*problem.find(tuple));
-  const auto cost = test::cost_of_choice(problem, arcs);
+  const auto cost = support::cost_of_choice(problem, arcs);
   if (!cost) return std::nullopt;
   return static_cast<double>(*cost);
 }
@@ -37,8 +37,9 @@ void expect_optimum(const Problem& problem, const Solution& solution, double opt
   ASSERT_TRUE(recomputed.has_value());
   EXPECT_NEAR(*recomputed, solution.cost, tolerance);
   EXPECT_LE(solution.stats.certificate_bound, optimum + tolerance);
-  EXPECT_NEAR(
-      solution.stats.certificate_bound, test::bound_of(problem, solution.multipliers), tolerance);
+  EXPECT_NEAR(solution.stats.certificate_bound,
+              support::bound_of(problem, solution.multipliers),
+              tolerance);
 }
 
 struct Count {
@@ -69,7 +70,8 @@ TEST_P(ManyToOne, AgreesWithAllSubsets) {
   for (std::uint64_t seed = 0; seed < 600; ++seed) {
     BoundedKind kind;
     kind.dimensions = GetParam();
-    kind.num_arcs = 6 + static_cast<int>(seed % 6);
+    kind.num_arcs = 7 + static_cast<int>(seed % 8);
+    kind.tight = seed % 5 < 2;
     kind.integer = seed % 2 == 0;
     kind.forbidding = seed % 3 == 0;
     compare(kind, seed, count);

@@ -10,16 +10,18 @@
 #include "nda/problem.hpp"
 
 /// Random problems with bounds, and what can be said of them without any solver.
-namespace nda::test {
+namespace nda::support {
 
 struct BoundedKind {
   int dimensions = 3;
   int num_arcs = 10;
   bool integer = true;      ///< costs are small integers, full of ties
   bool forbidding = false;  ///< some singletons are forbidden
+  bool tight = false;       ///< bounds of 0..1, 1..1 and 1..2 alone, and arcs that pay
 };
 
-inline UseBounds random_bounds(core::Random& random) {
+inline UseBounds random_bounds(core::Random& random, bool tight) {
+  if (tight) return {random.below(4) == 0 ? 0u : 1u, random.below(4) == 0 ? 2u : 1u};
   switch (random.below(7)) {
     case 0:
       return {0, 0};
@@ -54,7 +56,7 @@ inline Problem random_bounded_problem(std::uint64_t seed, const BoundedKind& kin
     for (Index i = 1; i <= sizes[static_cast<std::size_t>(k)]; ++i) {
       std::fill(tuple.begin(), tuple.end(), 0u);
       tuple[static_cast<std::size_t>(k)] = i;
-      UseBounds bounds = random_bounds(random);
+      UseBounds bounds = random_bounds(random, kind.tight);
       double single = random_cost(random, kind.integer, -3, 6);
       if (bounds.hi == UseBounds::kUnlimited) single = std::abs(single);
       if (kind.forbidding && random.below(3) == 0) single = kInfinity;
@@ -68,7 +70,8 @@ inline Problem random_bounded_problem(std::uint64_t seed, const BoundedKind& kin
       tuple[k] = static_cast<Index>(random.below(sizes[k] + 1));
       real += tuple[k] != 0;
     }
-    if (real >= 2) builder.add_arc(tuple, random_cost(random, kind.integer, -8, 12));
+    const double dearest = kind.tight ? 0 : 12;
+    if (real >= 2) builder.add_arc(tuple, random_cost(random, kind.integer, -8, dearest));
   }
   return std::move(builder).build();
 }
@@ -143,4 +146,4 @@ inline double bound_of(const Problem& problem, const std::vector<std::vector<dou
   return static_cast<double>(bound);
 }
 
-}  // namespace nda::test
+}  // namespace nda::support
