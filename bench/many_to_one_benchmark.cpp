@@ -3,9 +3,9 @@
 #include <exception>
 #include <string>
 
-#include "merged_tracks.hpp"
 #include "nda/io.hpp"
 #include "nda/solve.hpp"
+#include "support/merged_tracks.hpp"
 
 // How long problems with merged measurements take.
 //
@@ -27,11 +27,11 @@ constexpr Kind kKinds[] = {{"some merge", 4, 3}, {"many merge", 2.5, 3}, {"five 
 constexpr int kTracks[] = {30, 100, 300, 1000, 3000};
 
 void solve_one(const Kind& kind, int tracks, double limit_s, const std::string& folder) {
-  bench::MergedTracksOptions options;
+  support::MergedTracksOptions options;
   options.tracks = tracks;
   options.scans = kind.scans;
   options.spacing = kind.spacing;
-  const Problem problem = bench::MergedTracks(options).make();
+  const Problem problem = support::MergedTracks(options).make();
   Options limits;
   limits.time_limit_s = limit_s;
   const Solution solution = solve(problem, limits);

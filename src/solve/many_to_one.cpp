@@ -262,6 +262,7 @@ class ManyToOne {
     infeasible.stats = merged.stats;
     infeasible.stats.solve_seconds = seconds;
     infeasible.stats.peak_memory_bytes = memory;
+    infeasible.stats.certificate_bound = -kInfinity;
     infeasible.stats.bound_by_branching = true;
     return infeasible;
   }

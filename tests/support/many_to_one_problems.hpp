@@ -17,6 +17,7 @@ struct BoundedKind {
   int num_arcs = 10;
   bool integer = true;      ///< costs are small integers, full of ties
   bool forbidding = false;  ///< some singletons are forbidden
+  Index largest = 3;        ///< most indices of a dimension
   bool tight = false;       ///< bounds of 0..1, 1..1 and 1..2 alone, and arcs that pay
 };
 
@@ -49,7 +50,7 @@ inline Problem random_bounded_problem(std::uint64_t seed, const BoundedKind& kin
   core::Random random(seed);
   std::vector<Index> sizes;
   for (int k = 0; k < kind.dimensions; ++k)
-    sizes.push_back(1 + static_cast<Index>(random.below(3)));
+    sizes.push_back(1 + static_cast<Index>(random.below(kind.largest)));
   ProblemBuilder builder(sizes);
   std::vector<Index> tuple(sizes.size());
   for (int k = 0; k < kind.dimensions; ++k) {

@@ -9,7 +9,7 @@
 #include "core/random.hpp"
 #include "nda/problem.hpp"
 
-namespace nda::bench {
+namespace nda::support {
 
 /// Tracks and the measurements of the next scans, where targets that are near one another give one
 /// measurement together.
@@ -154,4 +154,12 @@ class MergedTracks {
   std::vector<std::vector<Measurement>> scans_;
 };
 
-}  // namespace nda::bench
+/// Of so many tracks in three scans, some of which merge.
+inline Problem merged_tracks(int tracks, std::uint64_t seed) {
+  MergedTracksOptions options;
+  options.tracks = tracks;
+  options.seed = seed;
+  return MergedTracks(options).make();
+}
+
+}  // namespace nda::support
