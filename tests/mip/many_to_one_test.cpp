@@ -94,7 +94,7 @@ TEST(ManyToOne, AgreesWithCbc) {
     }
     if (group.size() < kSideBySide && seed + 1 < kCases) continue;
     const ExternalAnswer answer = cbc->solve(side_by_side(group), limits);
-    ASSERT_STREQ(to_string(answer.status), "optimal");
+    ASSERT_STREQ(to_string(answer.status), "optimal") << answer.note;
     EXPECT_NEAR(answer.cost, sum, 1e-6 * std::max(1.0, std::abs(sum)));
     group.clear();
     sum = 0;
