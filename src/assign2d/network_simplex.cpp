@@ -37,14 +37,17 @@ std::vector<FlowNode> nodes_of(std::span<const double> outside) {
 // One side of a problem with bounds.
 struct BoundedSide {
   std::span<const double> outside;
+  std::vector<Index> num_pairs;   // that are not forbidden
   std::vector<UseBounds> bounds;  // as asked for, but lo = hi where being outside pays
   std::vector<FlowNode> nodes;    // with bounds no higher than there are pairs
   bool feasible = true;           // every lo that must be met can be
 
   BoundedSide(std::span<const double> singles,
               std::span<const UseBounds> asked,
-              std::span<const Index> num_pairs)
-      : outside(singles), bounds(asked.begin(), asked.end()) {
+              std::span<const Index> pairs)
+      : outside(singles),
+        num_pairs(pairs.begin(), pairs.end()),
+        bounds(asked.begin(), asked.end()) {
     bounds.resize(singles.size());
     for (std::size_t i = 0; i < singles.size(); ++i) {
       if (singles[i] < 0) bounds[i].lo = bounds[i].hi;
@@ -54,10 +57,17 @@ struct BoundedSide {
     }
   }
 
-  // Every pair of such a node refunds its outside cost, so that is what a use is worth.
-  void raise_duals(std::vector<double>& u) const {
+  // Where there are fewer pairs than lo each refunds the outside cost: that is what a use is worth.
+  // Elsewhere it is worth no more, and nothing is held back where there are no more pairs than hi.
+  void clamp_duals(std::vector<double>& u) const {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-      if (bounds[i].lo > nodes[i].lo) u[i] = outside[i];
+      const double most = bounds[i].lo > 0 ? outside[i] : 0.0;
+      if (bounds[i].lo > nodes[i].lo) {
+        u[i] = most;
+      } else if (bounds[i].hi >= num_pairs[i]) {
+        u[i] = std::max(u[i], std::min(0.0, outside[i]));
+      }
+      u[i] = std::min(u[i], most);
     }
   }
 
@@ -108,6 +118,7 @@ void NetworkSimplexSolver::solve_bounded(const Assign2dProblem& problem, Assign2
   std::vector<Index> row_pairs(problem.num_rows(), 0);
   std::vector<Index> column_pairs(problem.num_columns(), 0);
   for (const FlowEdge& edge : edges) {
+    if (edge.cost == kInfinity) continue;
     ++row_pairs[edge.row];
     ++column_pairs[edge.column];
   }
@@ -119,8 +130,8 @@ void NetworkSimplexSolver::solve_bounded(const Assign2dProblem& problem, Assign2
   result.pairs = std::move(answer.chosen);
   result.u = std::move(answer.u);
   result.v = std::move(answer.v);
-  rows.raise_duals(result.u);
-  columns.raise_duals(result.v);
+  rows.clamp_duals(result.u);
+  columns.clamp_duals(result.v);
   std::fill(row_pairs.begin(), row_pairs.end(), 0u);
   std::fill(column_pairs.begin(), column_pairs.end(), 0u);
   core::DoubleDouble cost;
