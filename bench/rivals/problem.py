@@ -108,8 +108,10 @@ def read_text(path):
 
 
 def read_problem(path):
-    """A problem from a .nda file, compressed or not."""
+    """A problem from a .nda file, compressed or not; one with bounds on uses is refused."""
     lines = read_text(path).split(b"\n")
+    if any(line.startswith(b"b") and line.split()[3:] != [b"1", b"1"] for line in lines):
+        raise ValueError(f"{path}: bounds on uses are not supported")
     header = next(line for line in lines if line.startswith(b"p")).split()
     num_dimensions = int(header[2])
     sizes = np.array([int(word) for word in header[3 : 3 + num_dimensions]])

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "nda/problem.hpp"
 #include "nda/types.hpp"
 
 namespace nda {
@@ -20,13 +21,20 @@ namespace nda {
 /// Rows and columns count from 0.  An outside cost of +inf means "must be assigned"; a pair that is
 /// absent, or of cost +inf, is forbidden.  Columns ascend within a row and do not repeat.
 /// All other costs are finite; solvers check nothing (see validate()).
+///
+/// *Many-to-one*: with bounds, a row is in lo..hi pairs, what it is short of lo pays its outside
+/// cost so many times (where that is negative: what it is short of hi), and columns alike.  Only
+/// Assign2dMethod::kNetworkSimplex knows bounds.
 struct Assign2dProblem {
-  std::span<const std::uint32_t> row_start;  ///< num_rows + 1 entries
-  std::span<const std::uint32_t> column;     ///< of each pair
-  std::span<const double> cost;              ///< of each pair
-  std::span<const double> row_outside;       ///< num_rows entries
-  std::span<const double> column_outside;    ///< num_columns entries
+  std::span<const std::uint32_t> row_start;       ///< num_rows + 1 entries
+  std::span<const std::uint32_t> column;          ///< of each pair
+  std::span<const double> cost;                   ///< of each pair
+  std::span<const double> row_outside;            ///< num_rows entries
+  std::span<const double> column_outside;         ///< num_columns entries
+  std::span<const UseBounds> row_bounds = {};     ///< num_rows entries, or none: all 1..1
+  std::span<const UseBounds> column_bounds = {};  ///< num_columns entries, or none
 
+  bool has_bounds() const { return !row_bounds.empty() || !column_bounds.empty(); }
   std::uint32_t num_rows() const { return static_cast<std::uint32_t>(row_outside.size()); }
   std::uint32_t num_columns() const { return static_cast<std::uint32_t>(column_outside.size()); }
 };
@@ -41,6 +49,16 @@ inline constexpr std::int32_t kUnassigned = -1;
 /// columns (to rounding), so that sum u + sum v = cost.  When infeasible, `hall_rows` or
 /// `hall_columns` names a set that cannot all be assigned: together they have fewer partners than
 /// members.  cost is then +inf, the duals are meaningless.
+///
+/// Of a problem with bounds `pairs` are the chosen ones, and column_of_row and row_of_column are
+/// empty.  With f(n) = outside * max(0, lo - n) of a row or column (lo = hi where outside < 0)
+/// the duals prove
+///
+///     cost = sum over rows and columns of min over 0 <= n <= hi of f(n) + dual * n
+///          + sum over pairs of min(0, cost(i, j) - u[i] - v[j]),
+///
+/// to rounding, or to about 2^-40 of the largest cost where costs are no integers; hall_rows and
+/// hall_columns stay empty.
 struct Assign2dResult {
   bool feasible = true;
   double cost = 0;
@@ -50,13 +68,14 @@ struct Assign2dResult {
   std::vector<double> v;  ///< dual of each column
   std::vector<std::uint32_t> hall_rows;
   std::vector<std::uint32_t> hall_columns;
+  std::vector<std::uint32_t> pairs;  ///< many-to-one: numbers of the chosen pairs, ascending
 };
 
 /// Which algorithm solves it.  All are exact; docs/assign2d.md says which one when.
 enum class Assign2dMethod {
   kShortestPath,    ///< shortest augmenting paths, sparse or dense as the problem is
   kAuction,         ///< forward/reverse auction with epsilon scaling
-  kNetworkSimplex,  ///< LEMON's network simplex: the slow reference
+  kNetworkSimplex,  ///< LEMON's network simplex: the slow reference, and many-to-one
 };
 
 /// A solve was given up because Assign2dSolver::set_stop() asked for it.
@@ -100,7 +119,8 @@ class Assign2dSolver {
 
 std::unique_ptr<Assign2dSolver> make_assign2d_solver(Assign2dMethod method);
 
-/// Solves one problem.  Throws InputError where validate() does.
+/// Solves one problem.  Throws InputError where validate() does, and where the problem has bounds
+/// that the method does not know.
 Assign2dResult assign2d(const Assign2dProblem& problem,
                         Assign2dMethod method = Assign2dMethod::kShortestPath);
 
@@ -116,7 +136,8 @@ Assign2dResult assign2d(std::span<const double> cost_row_major,
                         Assign2dMethod method = Assign2dMethod::kShortestPath);
 
 /// Throws InputError naming the first entry that breaks the contract of Assign2dProblem: sizes that
-/// disagree, rows out of order, columns out of range or order, costs NaN or -inf.
+/// disagree, rows out of order, columns out of range or order, costs NaN or -inf, lo above hi, no
+/// least cost since hi is unlimited where the outside cost is negative.
 void validate(const Assign2dProblem& problem);
 
 }  // namespace nda

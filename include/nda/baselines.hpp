@@ -12,7 +12,7 @@ namespace nda {
 struct BaselineResult {
   double cost = kInfinity;  ///< arcs and singletons of all uncovered indices; +inf if infeasible
   std::vector<std::vector<Index>> arcs;  ///< tuples with two or more real indices, lexicographic
-  bool feasible = false;  ///< false: an index whose singleton is forbidden stayed uncovered
+  bool feasible = false;  ///< false: an index whose singleton is forbidden is used too rarely
 };
 
 // All heuristics work on shifted costs: c'_a = c_a - sum of the singleton costs of its indices, so
@@ -20,9 +20,13 @@ struct BaselineResult {
 // singleton counts as a price higher than any sum of costs: an arc that covers more such indices is
 // the better one, whatever its cost. Where all singletons are finite every heuristic succeeds;
 // otherwise it may fail though a solution exists.
+//
+// Bounds on uses are known to greedy and brute force; the others throw InputError where an index
+// has bounds other than 1..1.
 
 /// Greedy: again and again the cheapest arc (in shifted cost, ties by tuple) that meets no chosen
-/// one. O(A log A + A N).
+/// one. O(A log A + A N).  With bounds on uses: the arc that adds least to the cost, as long as
+/// that is less than 0 and no index is used too often; O(A N^2 log A).
 BaselineResult solve_greedy(const Problem& problem);
 
 struct RandomizedGreedyOptions {

@@ -11,13 +11,14 @@ namespace nda {
 
 /// The verdict of the independent checker.
 struct CheckReport {
-  /// There is a solution, and every one uses every real index exactly once, by arcs that exist and
-  /// singletons that are not forbidden.
+  /// There is a solution, and every one uses every real index as often as it must and may (exactly
+  /// once unless told otherwise), by arcs that exist, each once, and singletons that are not
+  /// forbidden.
   bool feasible = false;
   bool cost_right = false;  ///< there is a solution, and every stated cost is the recomputed one
                             ///< (1e-9 relative)
   /// The multipliers, or the proof that was given, prove the stated bound; of an infeasible
-  /// problem: some index has no arc and a forbidden singleton.
+  /// problem: some index has fewer arcs than it must use, mostly none, and a forbidden singleton.
   bool bound_right = false;
   /// The stated bound (or infeasibility) is said to rest on the search, and nothing denies it:
   /// that cannot be checked from the multipliers.  Never true together with bound_right.
@@ -49,11 +50,16 @@ CheckReport check(const Problem& problem, const Solution& solution);
 /// of a cost that is stated to be proven; else it may, as limits leave trees unfinished.
 CheckReport check(const Problem& problem, const Solution& solution, const Proof& proof);
 
-/// The certificate: sum u + sum over arcs and singletons of min(0, c_a - sum of u over a), rounded
-/// downwards by its error bound; -inf where that overflows.
+/// The certificate: what no solution costs less than, whatever the multipliers,
+///
+///     sum over indices of (v < 0 ? hi : lo) v,  v = min(singleton's cost, u),
+///     + sum over arcs of min(0, c_a - sum of u over a),
+///
+/// rounded downwards by its error bound; -inf where that overflows, and where an index that may be
+/// used without limit has u < 0.  With bounds 1..1 the first line is the sum of v, that is sum u +
+/// sum over singletons of min(0, s - u).  Derived in docs/many_to_one.md.
 /// @param multipliers  u[k][i-1], M_k entries each; finite.  Throws InputError otherwise, naming
-/// the
-///                     dimension.
+///                     the dimension.
 double certificate_bound(const Problem& problem,
                          const std::vector<std::vector<double>>& multipliers);
 

@@ -100,6 +100,40 @@ struct GadgetsOptions {
 };
 Instance generate_gadgets(const GadgetsOptions& options = {});
 
+/// `bounded`: random arcs under random bounds on uses; integer costs in -max_cost..max_cost,
+/// singletons in 0..max_cost, so that there is always a solution.  O(arcs log arcs).
+struct BoundedOptions {
+  int dimensions = 3;
+  Index size = 8;             ///< M_k of every dimension, at least 1
+  std::size_t arcs = 60;      ///< draws; repeated tuples make it fewer
+  double dummy_share = 0.25;  ///< probability that an index of an arc is the dummy, in [0, 0.9]
+  double bounds_share = 0.5;  ///< probability that an index has bounds of its own, in [0, 1]
+  int max_uses = 3;           ///< lo is in 0..max_uses, hi in max(lo, 1)..max_uses or unlimited
+  int max_cost = 100;         ///< 1..10^6
+  std::uint64_t seed = 1;
+};
+Instance generate_bounded(const BoundedOptions& options = {});
+
+/// `merged`: targets at predicted places and scans in which two that are close show as one
+/// detection and single ones sometimes as two (docs/families.md gives the formulas).  Dimension 1
+/// is the targets, each other one a scan; all indices have bounds 1..2, and a second use costs.
+/// Throws InputError too where there are more than 10^7 hypotheses.
+struct MergedOptions {
+  int scans = 2;                       ///< N - 1
+  int targets = 12;                    ///< >= 1
+  double side = 150;                   ///< of the square; >= 1e-6
+  double clutter = 3;                  ///< expected false alarms per scan; >= 1e-6
+  double detection_probability = 0.9;  ///< in [1e-6, 0.999999]
+  double noise = 5;                    ///< sigma of a coordinate about the prediction; >= 1e-6
+  double resolution = 20;              ///< two targets closer than this may show as one; >= 0
+  double split_probability = 0.15;     ///< that one target shows as two, in [0, 1]
+  double merge_penalty = 2;            ///< for the second target of a detection; in [0, 1000]
+  double split_penalty = 3;            ///< for the second hypothesis of a target; in [0, 1000]
+  double gate_probability = 0.99;      ///< in [1e-6, 0.999999]
+  std::uint64_t seed = 1;
+};
+Instance generate_merged(const MergedOptions& options = {});
+
 /// `tracking`, `groups` and `six-scan`: targets of constant velocity in a square, seen for `scans`
 /// scans with noise, misses and Poisson clutter; the arcs are the gated track hypotheses with their
 /// negative log likelihood ratio against false alarms (docs/families.md gives the formulas).  Time

@@ -25,7 +25,7 @@ enum class FileFormat {
   kAuto,   ///< by the file's suffix, see format_of()
   kNda,    ///< the project's own text format
   kDense,  ///< `N s` and s^N costs, last index fastest; a perfect assignment
-  kCsv,    ///< header row `i1,...,iN,cost`; M_k is the largest index seen
+  kCsv,    ///< header row `i1,...,iN,cost`; M_k is the largest index seen; no bounds on uses
   kLp,     ///< CPLEX LP: set partitioning with singletons as columns
   kMps,    ///< free MPS: the same model
 };
@@ -45,7 +45,8 @@ struct ReadOptions {
   FileFormat format = FileFormat::kAuto;
 
   /// A file may declare this many indices (sum of M_k) and one more for each of its bytes; an index
-  /// costs 8 bytes of memory.  Indices that no arc uses are thus limited, used ones are not.
+  /// costs 8 bytes of memory, 16 in dimensions with bounds on uses.  Indices that no arc uses are
+  /// thus limited, used ones are not.
   std::size_t spare_indices = std::size_t{1} << 24;
 };
 
@@ -72,7 +73,7 @@ Problem parse_problem(std::string_view bytes, const ReadOptions& options = {});
 /// Writes a problem to a file, compressed when the path ends in .gz, or to standard output when
 /// `path` is "-".  The file appears under its name only when it is complete; devices and pipes are
 /// written directly.  Costs are written so that reading restores every bit.  Throws InputError for
-/// a problem that was moved from.
+/// a problem that was moved from, and where the format cannot hold its bounds on uses.
 void write_problem(const Problem& problem,
                    const std::string& path,
                    const WriteOptions& options = {});

@@ -23,7 +23,8 @@ namespace nda {
 /// Options::ranking chooses other ways than this: good solutions without a proof of their ranks,
 /// by partial branch and bound (docs/partial_branch_and_bound.md).
 ///
-/// Throws InputError for k = 0 and where solve() does.  Cost: one solve(), then O(A N) and a search
+/// Throws InputError for k = 0, for k > 1 where an index has bounds on its uses, and where solve()
+/// does.  Cost: one solve(), then O(A N) and a search
 /// that is short where the optimum has little slack; exponential in the worst case.  Thread safe.
 Solution solve_k_best(const Problem& problem, std::size_t k, const Options& options = {});
 
@@ -55,7 +56,8 @@ std::size_t num_proven(const Solution& solution);
 /// may share a problem.
 class Ranking {
  public:
-  /// Solves nothing yet.  Throws InputError where an option is out of range.
+  /// Solves nothing yet.  Throws InputError where an option is out of range or an index has bounds
+  /// on its uses.
   explicit Ranking(const Problem& problem, const Options& options = {});
   explicit Ranking(Problem&& problem, const Options& options = {}) = delete;
   Ranking(Ranking&& other) noexcept;

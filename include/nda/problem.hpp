@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <initializer_list>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -10,6 +11,17 @@
 
 namespace nda {
 
+/// How often an index must and may be used: lo <= uses <= hi, the singleton's among them.
+struct UseBounds {
+  /// As hi: no limit.
+  static constexpr Index kUnlimited = std::numeric_limits<Index>::max();
+
+  Index lo = 1;
+  Index hi = 1;
+
+  bool operator==(const UseBounds&) const = default;
+};
+
 /// An N-dimensional assignment problem, immutable once built.
 ///
 /// Index sets (dimensions) k = 0..N-1 hold the real indices 1..M_k; index 0 is the reusable dummy.
@@ -17,6 +29,10 @@ namespace nda {
 /// that every real index is used by exactly one of them.  An arc with one real index is a
 /// *singleton* (false alarm, missed track); every index has one, of cost 0 unless set, +inf where
 /// forbidden.
+///
+/// *Many-to-one*: an index may have bounds lo..hi instead of 1..1, for merged measurements and
+/// split targets.  An arc is chosen at most once, a singleton as often as it takes; every choice of
+/// it counts as a use and costs.
 ///
 /// A problem that was moved from has 0 dimensions; solve() and write_problem() then throw
 /// InputError.
@@ -49,6 +65,19 @@ class Problem {
     return singleton_costs_[static_cast<std::size_t>(k)];
   }
 
+  /// How often index i of dimension k is to be used: M_k + 1 entries, entry 0 (the dummy) is
+  /// 0..unlimited; no entries at all where every index of the dimension is to be used exactly once.
+  std::span<const UseBounds> use_bounds(int k) const {
+    return use_bounds_[static_cast<std::size_t>(k)];
+  }
+  /// The same of one index.
+  UseBounds use_bounds(int k, Index i) const {
+    const std::span<const UseBounds> all = use_bounds(k);
+    return all.empty() ? UseBounds{} : all[i];
+  }
+  /// Whether any index has bounds other than 1..1.
+  bool is_many_to_one() const;
+
   /// The tuple of arc a, N entries.
   std::vector<Index> arc(std::size_t a) const;
 
@@ -68,6 +97,7 @@ class Problem {
   std::vector<std::vector<Index>> indices_;  // [dimension][arc]
   std::vector<double> costs_;
   std::vector<std::vector<double>> singleton_costs_;  // [dimension][index]
+  std::vector<std::vector<UseBounds>> use_bounds_;    // [dimension][index], or [dimension] empty
   std::size_t num_duplicates_ = 0;
   std::size_t num_forbidden_ = 0;
 };
@@ -95,15 +125,23 @@ class ProblemBuilder {
     add_arc(std::span<const Index>(tuple.begin(), tuple.size()), cost);
   }
 
+  /// How often index i (>= 1) of dimension k (from 0) is to be used.  The last word counts.
+  /// Throws InputError on a dimension or an index out of range, on lo > hi and on an unlimited lo;
+  /// the builder is then unchanged.
+  void set_use_bounds(int k, Index i, UseBounds bounds);
+
   /// Arcs of two or more real indices added so far.
   std::size_t num_arcs() const { return problem_.costs_.size(); }
   std::span<const Index> sizes() const { return problem_.sizes_; }
 
-  /// Sorts, removes duplicates, and gives the problem away.  O(A N + sum of M_k).  Afterwards the
-  /// builder holds nothing, and add_arc() and build() throw InputError.
+  /// Sorts, removes duplicates, and gives the problem away.  Throws InputError where an unlimited
+  /// index has a singleton of negative cost: the problem has no least cost.  O(A N + sum of M_k).
+  /// Afterwards the builder holds nothing, and add_arc() and build() throw InputError.
   Problem build() &&;
 
  private:
+  void settle_use_bounds();
+
   Problem problem_;
   std::vector<std::vector<bool>> singleton_given_;
 };

@@ -55,10 +55,11 @@ struct RankedSolution {
   std::vector<std::vector<Index>> arcs;  ///< tuples with two or more real indices, lexicographic
 };
 
-/// What happened in one connected component (components in order of their smallest index).
+/// What happened in one connected component (components in order of their smallest index; of a
+/// many-to-one problem those that indices with bounds connect come last, by size).
 struct ComponentReport {
   std::size_t num_arcs = 0;          ///< after the cost shift
-  std::size_t num_indices = 0;       ///< real indices it touches
+  std::size_t num_indices = 0;       ///< real indices it touches; 0: bounds of none of them bind
   Status status = Status::kOptimal;  ///< why work on it ended; optimal exactly where proven
   bool proven = false;
   double cost = 0;         ///< contribution to the total cost; +inf if it was not found feasible

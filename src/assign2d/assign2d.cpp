@@ -1,5 +1,6 @@
 #include "nda/assign2d.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "assign2d/auction.hpp"
@@ -49,6 +50,36 @@ void require_columns(const Assign2dProblem& problem) {
   }
 }
 
+void require_bounds(const char* name,
+                    std::span<const UseBounds> bounds,
+                    std::span<const double> outside) {
+  if (bounds.empty()) return;
+  if (bounds.size() != outside.size()) {
+    throw InputError(std::string(name) + " has " + std::to_string(bounds.size()) + " entries for " +
+                     std::to_string(outside.size()));
+  }
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    if (bounds[i].lo > bounds[i].hi) reject(name, i, "has lo above hi");
+    if (bounds[i].lo == UseBounds::kUnlimited) reject(name, i, "has an unlimited lo");
+    if (bounds[i].hi == UseBounds::kUnlimited && outside[i] < 0)
+      reject(name, i, "is unlimited where the outside cost is negative");
+  }
+}
+
+bool are_all_once(std::span<const UseBounds> bounds) {
+  return std::all_of(
+      bounds.begin(), bounds.end(), [](const UseBounds& of) { return of == UseBounds{}; });
+}
+
+// Bounds of 1..1 are no bounds.
+void require_known_bounds(Assign2dProblem& problem, Assign2dMethod method) {
+  if (are_all_once(problem.row_bounds) && are_all_once(problem.column_bounds))
+    problem.row_bounds = problem.column_bounds = {};
+  if (problem.has_bounds() && method != Assign2dMethod::kNetworkSimplex)
+    throw InputError(
+        "the two-dimensional method needs bounds of 1..1; network simplex knows others");
+}
+
 }  // namespace
 
 void validate(const Assign2dProblem& problem) {
@@ -57,6 +88,8 @@ void validate(const Assign2dProblem& problem) {
   lap::require_costs("cost", problem.cost);
   lap::require_costs("row_outside", problem.row_outside);
   lap::require_costs("column_outside", problem.column_outside);
+  require_bounds("row_bounds", problem.row_bounds, problem.row_outside);
+  require_bounds("column_bounds", problem.column_bounds, problem.column_outside);
 }
 
 std::unique_ptr<Assign2dSolver> make_assign2d_solver(Assign2dMethod method) {
@@ -73,8 +106,10 @@ std::unique_ptr<Assign2dSolver> make_assign2d_solver(Assign2dMethod method) {
 
 Assign2dResult assign2d(const Assign2dProblem& problem, Assign2dMethod method) {
   validate(problem);
+  Assign2dProblem known = problem;
+  require_known_bounds(known, method);
   Assign2dResult result;
-  make_assign2d_solver(method)->solve(problem, result);
+  make_assign2d_solver(method)->solve(known, result);
   return result;
 }
 

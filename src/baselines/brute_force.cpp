@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "baselines/bounded.hpp"
 #include "baselines/ranked_arcs.hpp"
 
 // Depth-first enumeration over sets of at most 64 indices held in one word.  The lowest uncovered
@@ -120,6 +121,7 @@ void check_size(const char* what, std::size_t count, std::size_t limit) {
 BaselineResult solve_brute_force(const Problem& problem) {
   check_size("arcs", problem.num_arcs(), kBruteForceMaxArcs);
   check_size("indices", problem.num_indices(), kBruteForceMaxIndices);
+  if (problem.is_many_to_one()) return baselines::bounded_brute_force(problem);
   std::vector<std::uint32_t> arcs;
   if (!Enumeration(problem).run(arcs)) return {};
   return baselines::make_result(problem, std::move(arcs));

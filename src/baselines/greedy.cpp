@@ -1,7 +1,9 @@
 #include <string>
 
+#include "baselines/bounded.hpp"
 #include "baselines/ranked_arcs.hpp"
 #include "core/random.hpp"
+#include "core/use_bounds.hpp"
 
 // Greedy and its randomised sister.  With the arcs sorted, the restricted candidate list is a
 // window over the ranking: filled from the front with arcs that fit, and swept after each choice.
@@ -49,6 +51,7 @@ void validate(const RandomizedGreedyOptions& options) {
 }  // namespace
 
 BaselineResult solve_greedy(const Problem& problem) {
+  if (problem.is_many_to_one()) return baselines::bounded_greedy(problem);
   const RankedArcs ranked(problem);
   Cover cover(ranked.num_slots());
   std::vector<std::size_t> chosen;
@@ -59,6 +62,7 @@ BaselineResult solve_greedy(const Problem& problem) {
 BaselineResult solve_randomized_greedy(const Problem& problem,
                                        const RandomizedGreedyOptions& options) {
   validate(options);
+  core::require_single_uses(problem, "randomised greedy");
   const RankedArcs ranked(problem);
   Cover cover(ranked.num_slots());
   core::Random random(options.seed);

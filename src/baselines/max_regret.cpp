@@ -2,6 +2,7 @@
 #include <queue>
 
 #include "baselines/ranked_arcs.hpp"
+#include "core/use_bounds.hpp"
 
 // Max-regret after Balas & Saltzman (1991).  They take the regrets of the rows of a dense cube;
 // here every uncovered index of every dimension has one, and leaving it alone is always a choice.
@@ -124,6 +125,7 @@ class MaxRegret {
 }  // namespace
 
 BaselineResult solve_max_regret(const Problem& problem) {
+  core::require_single_uses(problem, "max-regret");
   const RankedArcs ranked(problem);
   return make_result(problem, ranked, MaxRegret(ranked).run());
 }

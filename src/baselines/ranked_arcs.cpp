@@ -63,6 +63,13 @@ Value total_value(const RankedArcs& ranked, std::span<const std::size_t> chosen)
   return total;
 }
 
+long double cost_alone(UseBounds bounds, double singleton, Index used) {
+  if (used > bounds.hi) return kInfinity;
+  if (singleton < 0) return static_cast<long double>(bounds.hi - used) * singleton;
+  if (used >= bounds.lo) return 0;
+  return static_cast<long double>(bounds.lo - used) * singleton;
+}
+
 BaselineResult make_result(const Problem& problem, std::vector<std::uint32_t> arcs) {
   std::sort(arcs.begin(), arcs.end());
   BaselineResult result;
@@ -72,11 +79,10 @@ BaselineResult make_result(const Problem& problem, std::vector<std::uint32_t> ar
     result.arcs.push_back(problem.arc(a));
   }
   for (int k = 0; k < problem.num_dimensions(); ++k) {
-    std::vector<bool> covered(problem.size(k) + std::size_t{1}, false);
-    for (const std::uint32_t a : arcs) covered[problem.indices(k)[a]] = true;
-    for (Index i = 1; i <= problem.size(k); ++i) {
-      if (!covered[i]) cost += problem.singleton_costs(k)[i];
-    }
+    std::vector<Index> used(problem.size(k) + std::size_t{1}, 0);
+    for (const std::uint32_t a : arcs) ++used[problem.indices(k)[a]];
+    for (Index i = 1; i <= problem.size(k); ++i)
+      cost += cost_alone(problem.use_bounds(k, i), problem.singleton_costs(k)[i], used[i]);
   }
   result.cost = static_cast<double>(cost);
   result.feasible = result.cost < kInfinity;

@@ -79,8 +79,12 @@ void complete_greedily(const RankedArcs& ranked, Cover& cover, std::vector<std::
 /// Sum of the values of the chosen ranks.
 Value total_value(const RankedArcs& ranked, std::span<const std::size_t> chosen);
 
-/// The result that these arcs (numbers in the problem, disjoint) make up; its cost is added in long
-/// double.
+/// What an index that `used` arcs use costs besides them, singletons being as few as its bounds
+/// allow, or as many where they pay; +inf where the bounds cannot be kept.
+long double cost_alone(UseBounds bounds, double singleton, Index used);
+
+/// The result that these arcs (numbers in the problem, all different) make up; its cost is added in
+/// long double.
 BaselineResult make_result(const Problem& problem, std::vector<std::uint32_t> arcs);
 BaselineResult make_result(const Problem& problem,
                            const RankedArcs& ranked,

@@ -1,6 +1,7 @@
 #include <string>
 
 #include "baselines/ranked_arcs.hpp"
+#include "core/use_bounds.hpp"
 
 // Semi-greedy track selection (Capponi & de Waard, section 2.1).  The paper sorts the track
 // hypotheses by decreasing weight and builds one partition after the other, each from an initial
@@ -58,6 +59,7 @@ void validate(const SgtsOptions& options) {
 
 BaselineResult solve_sgts(const Problem& problem, const SgtsOptions& options) {
   validate(options);
+  core::require_single_uses(problem, "semi-greedy track selection");
   const RankedArcs ranked(problem);
   TrackSelection selection(ranked);
   std::vector<std::size_t> best, chosen;
@@ -70,6 +72,7 @@ BaselineResult solve_sgts(const Problem& problem, const SgtsOptions& options) {
 
 std::vector<BaselineResult> sgts_partitions(const Problem& problem, const SgtsOptions& options) {
   validate(options);
+  core::require_single_uses(problem, "semi-greedy track selection");
   const RankedArcs ranked(problem);
   TrackSelection selection(ranked);
   std::vector<BaselineResult> partitions;

@@ -198,6 +198,14 @@ Action declare_generate(CLI::App& parser) {
                            "optimum known, with an integrality gap",
                            "nda generate gadgets --gadgets 1000 -o gadgets.nda"),
                      generate_gadgets),
+      declare_family(named("bounded",
+                           "many-to-one: random arcs, random bounds on uses",
+                           "nda generate bounded --size 20 --arcs 300 -o bounded.nda"),
+                     generate_bounded),
+      declare_family(named("merged",
+                           "many-to-one: merged measurements and split targets",
+                           "nda generate merged --targets 30 --side 250 -o merged.nda"),
+                     generate_merged),
   };
   return [families] {
     for (const Family& family : families) {

@@ -38,6 +38,14 @@ void print_singletons(const Problem& problem) {
         forbidden);
 }
 
+void print_bounds(const Problem& problem) {
+  std::size_t bounded = 0;
+  for (int k = 0; k < problem.num_dimensions(); ++k) {
+    for (Index i = 1; i <= problem.size(k); ++i) bounded += problem.use_bounds(k, i) != UseBounds{};
+  }
+  print("bounds on uses       %zu of %zu indices\n", bounded, problem.num_indices());
+}
+
 // Components by powers of ten of their arcs.
 void print_components(const Problem& problem) {
   const core::Shift shift = core::make_shift(problem);
@@ -87,7 +95,10 @@ int print_info(const std::string& file) {
   print_singletons(problem);
   const core::CostGrid grid = core::find_grid(problem);
   if (grid.step > 0) print("cost step            %g\n", grid.step);
-  print_components(problem);
+  if (problem.is_many_to_one())
+    print_bounds(problem);
+  else
+    print_components(problem);
   return kAnswer;
 }
 
@@ -98,7 +109,9 @@ Action declare_info(CLI::App& parser) {
   parser.add_option("file", *file, "arc file, '-' for standard input")->required();
   parser.footer(
       "Sizes, arcs by number of real indices, singletons, and the connected components left when\n"
-      "arcs that cannot beat their singletons are dropped.\n"
+      "arcs that cannot beat their singletons are dropped; where indices have bounds on their "
+      "uses,\n"
+      "how many instead of the components.\n"
       "\n"
       "Example:\n"
       "  nda info window.nda.gz");

@@ -1,19 +1,19 @@
 #include "nda/check.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <string>
 
-#include "core/certificate_sum.hpp"
+#include "core/certificate.hpp"
 #include "core/check_marginals.hpp"
 #include "core/double_double.hpp"
 #include "core/fault_text.hpp"
+#include "core/use_bounds.hpp"
 
 // The checker knows the problem and the solution, nothing of how it was found.  Sums are kept in
-// double-double; the certificate is then rounded downwards by a bound on all its rounding errors
-// (core/certificate_sum.hpp).
+// double-double.
 
 namespace nda {
 namespace {
@@ -28,35 +28,33 @@ bool close(double a, double b) {
   return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b));
 }
 
-// Walks one ranked solution: marks covered indices, sums the cost, reports what is wrong.
+// Walks one ranked solution: counts the uses of every index, sums the cost, reports what is wrong.
 class SolutionWalk {
  public:
   SolutionWalk(const Problem& problem, std::vector<std::string>& faults)
       : problem_(problem), faults_(faults) {
-    for (const Index size : problem.sizes()) covered_.emplace_back(size + std::size_t{1}, false);
+    for (const Index size : problem.sizes()) uses_.emplace_back(size + std::size_t{1}, 0u);
   }
 
   void arc(const std::vector<Index>& tuple) {
     const auto found = problem_.find(tuple);
     if (!found) return fault("arc " + tuple_text(tuple) + " is not in the problem");
+    chosen_.push_back(*found);
     add(problem_.costs()[*found]);
     for (std::size_t k = 0; k < tuple.size(); ++k) {
-      if (tuple[k] == 0) continue;
-      if (covered_[k][tuple[k]]) fault(index_text(k, tuple[k]) + " is used twice");
-      covered_[k][tuple[k]] = true;
+      if (tuple[k] != 0) use(k, tuple[k]);
     }
   }
 
-  void uncovered() {
-    for (std::size_t k = 0; k < covered_.size(); ++k) {
-      const auto costs = problem_.singleton_costs(static_cast<int>(k));
-      for (std::size_t i = 1; i < covered_[k].size(); ++i) {
-        if (covered_[k][i]) continue;
-        if (costs[i] == kInfinity)
-          fault(index_text(k, i) + " is uncovered and its singleton forbidden");
-        else
-          add(costs[i]);
-      }
+  // After the last arc.
+  void rest() {
+    std::sort(chosen_.begin(), chosen_.end());
+    for (std::size_t n = 1; n < chosen_.size(); ++n) {
+      if (chosen_[n] == chosen_[n - 1])
+        fault("arc " + tuple_text(problem_.arc(chosen_[n])) + " is chosen twice");
+    }
+    for (std::size_t k = 0; k < uses_.size(); ++k) {
+      for (Index i = 1; i < uses_[k].size(); ++i) add_singleton(k, i);
     }
   }
 
@@ -65,9 +63,33 @@ class SolutionWalk {
   double magnitude() const { return magnitude_; }
 
  private:
-  void add(double cost) {
-    sum_.add(cost);
-    magnitude_ += std::abs(cost);
+  void use(std::size_t k, Index i) {
+    const UseBounds bounds = problem_.use_bounds(static_cast<int>(k), i);
+    if (uses_[k][i]++ == bounds.hi) {
+      fault(index_text(k, i) +
+            (bounds == UseBounds{} ? std::string(" is used twice")
+                                   : " is used more than " + std::to_string(bounds.hi) + " times"));
+    }
+  }
+
+  void add_singleton(std::size_t k, Index i) {
+    const UseBounds bounds = problem_.use_bounds(static_cast<int>(k), i);
+    const double cost = problem_.singleton_costs(static_cast<int>(k))[i];
+    const auto times = core::singleton_uses(bounds, cost, uses_[k][i]);
+    if (times && *times > 0) return add(cost, static_cast<double>(*times));
+    if (times || uses_[k][i] >= bounds.lo) return;
+    fault(index_text(k, i) +
+          (bounds == UseBounds{}
+               ? std::string(" is uncovered and its singleton forbidden")
+               : " is used " + std::to_string(uses_[k][i]) + " times, must be " +
+                     std::to_string(bounds.lo) + ", and its singleton is forbidden"));
+  }
+
+  void add(double cost, double times = 1) {
+    const double product = times * cost;
+    sum_.add(product);
+    if (std::isfinite(product)) sum_.add(std::fma(times, cost, -product));
+    magnitude_ += std::abs(product);
   }
   void fault(std::string sentence) {
     feasible_ = false;
@@ -76,7 +98,8 @@ class SolutionWalk {
 
   const Problem& problem_;
   std::vector<std::string>& faults_;
-  std::vector<std::vector<bool>> covered_;
+  std::vector<std::vector<Index>> uses_;  // [k][i], by arcs
+  std::vector<std::size_t> chosen_;       // arcs
   core::DoubleDouble sum_;
   double magnitude_ = 0;
   bool feasible_ = true;
@@ -123,7 +146,7 @@ double check_solutions(const Problem& problem, const Solution& solution, CheckRe
   for (const RankedSolution& ranked : solution.solutions) {
     SolutionWalk walk(problem, report.faults);
     for (const std::vector<Index>& tuple : ranked.arcs) walk.arc(tuple);
-    walk.uncovered();
+    walk.rest();
     report.feasible = report.feasible && walk.feasible();
     const bool right = std::abs(walk.cost() - ranked.cost) <= 1e-12 * walk.magnitude() ||
                        close(walk.cost(), ranked.cost);
@@ -144,26 +167,6 @@ double check_solutions(const Problem& problem, const Solution& solution, CheckRe
                             " is not that of the first solution, " + number_text(stated));
   }
   return magnitude;
-}
-
-// What is wrong with the shape or the values of multipliers; empty when nothing is.
-std::string multipliers_fault(const Problem& problem,
-                              const std::vector<std::vector<double>>& multipliers) {
-  if (multipliers.size() != static_cast<std::size_t>(problem.num_dimensions())) {
-    return "multipliers of " + std::to_string(multipliers.size()) +
-           " dimensions, the problem has " + std::to_string(problem.num_dimensions());
-  }
-  for (std::size_t k = 0; k < multipliers.size(); ++k) {
-    const std::string place = "dimension " + std::to_string(k + 1);
-    if (multipliers[k].size() != problem.sizes()[k]) {
-      return place + " has " + std::to_string(multipliers[k].size()) + " multipliers, not " +
-             std::to_string(problem.sizes()[k]);
-    }
-    for (const double u : multipliers[k]) {
-      if (!std::isfinite(u)) return "a multiplier of " + place + " is not finite";
-    }
-  }
-  return {};
 }
 
 bool above(double bound, double value) {
@@ -196,7 +199,7 @@ void check_bound(const Problem& problem,
                  bool with_proof,
                  double magnitude,
                  CheckReport& report) {
-  const std::string fault = multipliers_fault(problem, solution.multipliers);
+  const std::string fault = core::multipliers_fault(problem, solution.multipliers);
   if (!fault.empty()) return report.faults.push_back(fault);
   report.certificate_bound = certificate_bound(problem, solution.multipliers);
   report.bound_right =
@@ -234,21 +237,30 @@ void check_bounds_fit(const Solution& solution, CheckReport& report) {
   }
 }
 
-// Where no singleton is forbidden and their sum does not overflow, leaving all alone is a solution.
+// Where every index may do without arcs and the sum does not overflow, leaving all alone is a
+// solution.
 bool always_feasible(const Problem& problem) {
   core::DoubleDouble sum;
-  for_each_singleton(problem, [&](double cost) { sum.add(cost); });
+  for (int k = 0; k < problem.num_dimensions(); ++k) {
+    const auto costs = problem.singleton_costs(k);
+    for (Index i = 1; i <= problem.size(k); ++i) {
+      const auto times = core::singleton_uses(problem.use_bounds(k, i), costs[i], 0);
+      if (!times) return false;
+      if (*times > 0) sum.add(static_cast<double>(*times) * costs[i]);
+    }
+  }
   return std::isfinite(sum.high());
 }
 
-// Whether some index cannot be used: no arc has it and its singleton is forbidden.
+// Whether some index cannot be used as often as it must: too few arcs have it and its singleton is
+// forbidden.
 bool has_hopeless_index(const Problem& problem) {
   for (int k = 0; k < problem.num_dimensions(); ++k) {
-    std::vector<bool> used(problem.size(k) + std::size_t{1}, false);
-    for (const Index i : problem.indices(k)) used[i] = true;
+    std::vector<std::size_t> arcs(problem.size(k) + std::size_t{1}, 0);
+    for (const Index i : problem.indices(k)) ++arcs[i];
     const auto singletons = problem.singleton_costs(k);
-    for (std::size_t i = 1; i < used.size(); ++i) {
-      if (!used[i] && singletons[i] == kInfinity) return true;
+    for (Index i = 1; i < arcs.size(); ++i) {
+      if (arcs[i] < problem.use_bounds(k, i).lo && singletons[i] == kInfinity) return true;
     }
   }
   return false;
@@ -300,86 +312,6 @@ void check_claims(const Problem& problem,
                           " does not meet it");
 }
 
-// Sums c - sum of u over many arcs at a time, in double-double, which fills the vector units.
-class ReducedCosts {
- public:
-  static constexpr std::size_t kMost = 128;  // arcs at a time
-
-  ReducedCosts(const Problem& problem, const std::vector<std::vector<double>>& multipliers)
-      : costs_(problem.costs().data()), num_(multipliers.size()) {
-    for (std::size_t k = 0; k < num_; ++k) {
-      columns_[k] = problem.indices(static_cast<int>(k)).data();
-      table_[k].reserve(multipliers[k].size() + 1);
-      table_[k].push_back(0.0);
-      table_[k].insert(table_[k].end(), multipliers[k].begin(), multipliers[k].end());
-      multipliers_[k] = table_[k].data();
-    }
-  }
-
-  // In plain arithmetic, whose n rounding errors are below `size` 2^-53 each.
-  bool surely_positive(std::size_t a) const {
-    double value = costs_[a];
-    double size = std::abs(value);
-    for (std::size_t k = 0; k < num_; ++k) {
-      const double u = multiplier(k, a);
-      value -= u;
-      size += std::abs(u);
-    }
-    return value > size * static_cast<double>(num_ + 1) * 0x1p-51;
-  }
-
-  void put(std::size_t a) { arcs_[count_++] = a; }
-  bool full() const { return count_ == kMost; }
-
-  // Adds the negative ones of the arcs that were put, and forgets all of them.
-  void add_negative_to(core::CertificateSum& sum) {
-    for (std::size_t n = 0; n < count_; ++n) {
-      high_[n] = costs_[arcs_[n]];
-      low_[n] = 0;
-      size_[n] = std::abs(high_[n]);
-    }
-    for (std::size_t k = 0; k < num_; ++k) subtract_multipliers(k);
-    for (std::size_t n = 0; n < count_; ++n) {
-      const bool negative = high_[n] < 0 || (high_[n] == 0 && low_[n] < 0);
-      // Where the sum may have overflown its sign says nothing.
-      if (!negative && std::isfinite(size_[n])) continue;
-      sum.add(n, high_[n]);
-      sum.add(n, low_[n]);
-      sum.enlarge(size_[n]);
-    }
-    count_ = 0;
-  }
-
- private:
-  double multiplier(std::size_t k, std::size_t a) const { return multipliers_[k][columns_[k][a]]; }
-
-  // DoubleDouble::add for all at once.
-  void subtract_multipliers(std::size_t k) {
-    std::array<double, kMost> terms;
-    for (std::size_t n = 0; n < count_; ++n) terms[n] = -multiplier(k, arcs_[n]);
-    for (std::size_t n = 0; n < count_; ++n) {
-      const double x = terms[n];
-      const double sum = high_[n] + x;
-      const double part = sum - high_[n];
-      const double low = low_[n] + ((high_[n] - (sum - part)) + (x - part));
-      high_[n] = sum + low;
-      low_[n] = low - (high_[n] - sum);
-      size_[n] += std::abs(x);
-    }
-  }
-
-  const double* costs_;
-  const std::size_t num_;
-  std::array<const Index*, kMaxDimensions> columns_{};
-  std::array<const double*, kMaxDimensions> multipliers_{};  // by index, 0 for the dummy
-  std::array<std::vector<double>, kMaxDimensions> table_;
-  std::size_t count_ = 0;
-  std::array<std::size_t, kMost> arcs_;
-  std::array<double, kMost> high_;
-  std::array<double, kMost> low_;
-  std::array<double, kMost> size_;
-};
-
 // Of solutions that are none, nothing can be said.
 void check_marginals(const Solution& solution, CheckReport& report) {
   if (!solution.marginals) return;
@@ -423,33 +355,6 @@ CheckReport check(const Problem& problem, const Solution& solution) {
 
 CheckReport check(const Problem& problem, const Solution& solution, const Proof& proof) {
   return check(problem, solution, &proof);
-}
-
-double certificate_bound(const Problem& problem,
-                         const std::vector<std::vector<double>>& multipliers) {
-  const std::string fault = multipliers_fault(problem, multipliers);
-  if (!fault.empty()) throw InputError(fault);
-  core::CertificateSum sum;
-  const std::size_t n = multipliers.size();
-  for (std::size_t k = 0; k < n; ++k) {
-    const auto singletons = problem.singleton_costs(static_cast<int>(k));
-    for (std::size_t i = 1; i < singletons.size(); ++i) {
-      const double u = multipliers[k][i - 1];
-      sum.add(i, u);
-      if (singletons[i] < u) {
-        sum.add(i, singletons[i]);
-        sum.add(i, -u);
-      }
-    }
-  }
-  ReducedCosts reduced(problem, multipliers);
-  for (std::size_t a = 0; a < problem.num_arcs(); ++a) {
-    if (!reduced.surely_positive(a)) reduced.put(a);
-    if (reduced.full()) reduced.add_negative_to(sum);
-  }
-  reduced.add_negative_to(sum);
-  return sum.rounded_down(
-      static_cast<double>(problem.num_arcs() * (n + 2) + 3 * problem.num_indices()));
 }
 
 }  // namespace nda

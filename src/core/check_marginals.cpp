@@ -120,6 +120,20 @@ std::string head_fault(const Solution& solution) {
   return count_fault("proven ranks", stated.num_proven, proven);
 }
 
+// Marginals are shares of 1 as long as each solution uses an index in one way.
+std::string shared_index_fault(const Solution& solution) {
+  for (const RankedSolution& rank : solution.solutions) {
+    std::set<Place> used;
+    for (const Tuple& tuple : rank.arcs) {
+      for (const Place& place : places_of(tuple)) {
+        if (!used.insert(place).second)
+          return "solution " + std::to_string(rank.rank) + " uses " + place_text(place) + " twice";
+      }
+    }
+  }
+  return {};
+}
+
 std::string weights_fault(const Marginals& stated, const Truth& truth) {
   const std::string fault =
       count_fault("weights of ranks", stated.weights.size(), truth.weights.size());
@@ -257,6 +271,7 @@ std::string ambiguous_fault(const Marginals& stated, const Truth& truth) {
 std::string marginals_fault(const Solution& solution) {
   const Marginals& stated = *solution.marginals;
   std::string fault = head_fault(solution);
+  if (fault.empty()) fault = shared_index_fault(solution);
   if (!fault.empty()) return fault;
   const Truth truth = truth_of(solution, stated.cost_per_nat);
   for (const auto check : {weights_fault, arcs_fault, pairs_fault, alone_fault, ambiguous_fault}) {

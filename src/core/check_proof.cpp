@@ -8,6 +8,7 @@
 #include "core/certificate_sum.hpp"
 #include "core/double_double.hpp"
 #include "core/part_proof.hpp"
+#include "core/use_bounds.hpp"
 #include "nda/proof.hpp"
 
 // The frame of a proof: which arcs are worth using, which part each belongs to, and the sum of what
@@ -53,6 +54,8 @@ class ProofWalk {
   static std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
   void check_frame() const {
+    if (problem_.is_many_to_one())
+      throw ProofFault{"bounds on uses have no proofs: " + core::first_bounds(problem_)};
     if (!std::equal(proof_.sizes.begin(),
                     proof_.sizes.end(),
                     problem_.sizes().begin(),

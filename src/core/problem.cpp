@@ -6,6 +6,8 @@
 #include <numeric>
 #include <string>
 
+#include "core/fault_text.hpp"
+
 // A problem is stored as structure of arrays, arcs in lexicographic order: the first two dimensions
 // of consecutive arcs then agree for long stretches, which is what the collapse of eq. (3.3) wants.
 // Arcs are sorted by one stable counting sort per dimension, the last dimension first (radix sort
@@ -83,6 +85,11 @@ std::size_t Problem::num_indices() const {
   return std::accumulate(sizes_.begin(), sizes_.end(), std::size_t{0});
 }
 
+bool Problem::is_many_to_one() const {
+  return std::any_of(
+      use_bounds_.begin(), use_bounds_.end(), [](const auto& bounds) { return !bounds.empty(); });
+}
+
 std::vector<Index> Problem::arc(std::size_t a) const {
   std::vector<Index> tuple;
   tuple.reserve(indices_.size());
@@ -115,7 +122,33 @@ ProblemBuilder::ProblemBuilder(std::vector<Index> sizes) {
     problem_.singleton_costs_.emplace_back(size + std::size_t{1}, 0.0);
     singleton_given_.emplace_back(size + std::size_t{1}, false);
   }
+  problem_.use_bounds_.resize(n);
   problem_.sizes_ = std::move(sizes);
+}
+
+void ProblemBuilder::set_use_bounds(int k, Index i, UseBounds bounds) {
+  const int n = static_cast<int>(problem_.sizes_.size());
+  if (k < 0 || k >= n) {
+    throw InputError("dimension " + std::to_string(k + 1) + " given, the problem has " +
+                     std::to_string(n));
+  }
+  const std::size_t dimension = static_cast<std::size_t>(k);
+  const std::string name = "index " + std::to_string(i) + " of dimension " + std::to_string(k + 1);
+  const Index size = problem_.sizes_[dimension];
+  if (i == 0)
+    throw InputError("the dummy of dimension " + std::to_string(k + 1) + " has no bounds");
+  if (i > size) throw InputError(name + " exceeds " + std::to_string(size));
+  if (bounds.lo > bounds.hi) {
+    throw InputError(name + " must be used " + std::to_string(bounds.lo) + " times and may only " +
+                     std::to_string(bounds.hi));
+  }
+  if (bounds.lo == UseBounds::kUnlimited) throw InputError(name + " must be used without limit");
+  std::vector<UseBounds>& all = problem_.use_bounds_[dimension];
+  if (all.empty()) {
+    all.resize(size + std::size_t{1});
+    all.front() = {0, UseBounds::kUnlimited};
+  }
+  all[i] = bounds;
 }
 
 void ProblemBuilder::reserve(std::size_t num_arcs) {
@@ -161,8 +194,25 @@ void ProblemBuilder::add_arc(std::span<const Index> tuple, double cost) {
   problem_.costs_.push_back(cost);
 }
 
+void ProblemBuilder::settle_use_bounds() {
+  for (std::size_t k = 0; k < problem_.use_bounds_.size(); ++k) {
+    std::vector<UseBounds>& all = problem_.use_bounds_[k];
+    bool any = false;
+    for (std::size_t i = 1; i < all.size(); ++i) {
+      any = any || all[i] != UseBounds{};
+      const double cost = problem_.singleton_costs_[k][i];
+      if (all[i].hi == UseBounds::kUnlimited && cost < 0) {
+        throw InputError(core::index_text(k, i) + " may be used without limit and alone costs " +
+                         core::number_text(cost) + ": there is no least cost");
+      }
+    }
+    if (!any) all.clear();
+  }
+}
+
 Problem ProblemBuilder::build() && {
   if (problem_.sizes_.empty()) throw InputError("the builder has given its problem away already");
+  settle_use_bounds();
   Columns& columns = problem_.indices_;
   std::vector<double>& costs = problem_.costs_;
   if (!strictly_sorted(columns, costs.size())) {

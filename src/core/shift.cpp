@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/slices.hpp"
+#include "core/use_bounds.hpp"
 
 // How high must the penalty of a forbidden singleton be?  Write |c_a| / (number of real indices of
 // a) for the share of an index in arc a, and w_i for the largest share of index i over its arcs and
@@ -86,6 +87,7 @@ bool all_costs(const Problem& problem, const Deadline& deadline, Predicate&& hol
 }  // namespace
 
 Shift make_shift(const Problem& problem, const Deadline& deadline, double most_penalty) {
+  require_single_uses(problem, "the cost shift");
   Shift shift;
   if (has_forbidden_singleton(problem)) {
     const double enough = make_penalty(problem, deadline);

@@ -34,7 +34,8 @@ struct Shift {
 ///                      the digits of the costs.  Where it is above N + 1 times the largest |c|,
 ///                      every arc of an index with a forbidden singleton keeps c' < 0.
 ///
-/// Where the deadline strikes before the penalty is known it is 0: the shift is then good for
+/// Throws InputError where an index has bounds other than 1..1: it may then be used twice at a
+/// cost. Where the deadline strikes before the penalty is known it is 0: the shift is then good for
 /// bounds, not for searching.
 Shift make_shift(const Problem& problem,
                  const Deadline& deadline = {},

@@ -89,6 +89,42 @@ struct OptionTable<GadgetsOptions> {
   };
 };
 
+template <>
+struct OptionTable<BoundedOptions> {
+  using O = BoundedOptions;
+  static constexpr std::tuple kRows{
+      Option{"dimensions", &O::dimensions, 2, kMaxDimensions, "N"},
+      Option{"size", &O::size, 1, kMostIndices, "M_k of every dimension"},
+      Option{"arcs", &O::arcs, 0, kMostEntries, "draws of arcs"},
+      Option{"dummy_share", &O::dummy_share, 0, 0.9, "share of dummies in an arc"},
+      Option{"bounds_share", &O::bounds_share, 0, 1, "share of indices with bounds of their own"},
+      Option{"max_uses", &O::max_uses, 1, 1e6, "largest bound but for no limit"},
+      Option{"max_cost", &O::max_cost, 1, 1e6, "costs are in -max-cost..max-cost"},
+  };
+};
+
+template <>
+struct OptionTable<MergedOptions> {
+  using O = MergedOptions;
+  static constexpr std::tuple kRows{
+      Option{"scans", &O::scans, 1, 8, "N - 1"},
+      Option{"targets", &O::targets, 1, 1e4, "number of targets"},
+      Option{"side", &O::side, 1e-6, 1e9, "side of the square"},
+      Option{"clutter", &O::clutter, 1e-6, 1e4, "false alarms per scan, expected"},
+      Option{"detection_probability",
+             &O::detection_probability,
+             1e-6,
+             0.999999,
+             "of a target in a scan"},
+      Option{"noise", &O::noise, 1e-6, 1e9, "sigma of a coordinate"},
+      Option{"resolution", &O::resolution, 0, 1e9, "targets this close may show as one"},
+      Option{"split_probability", &O::split_probability, 0, 1, "that a target shows as two"},
+      Option{"merge_penalty", &O::merge_penalty, 0, 1000, "for the second target of a detection"},
+      Option{"split_penalty", &O::split_penalty, 0, 1000, "for the second hypothesis of a target"},
+      Option{"gate_probability", &O::gate_probability, 1e-6, 0.999999, "of a gate"},
+  };
+};
+
 /// Lengths and densities are such that no square, no density and no logarithm leaves the normal
 /// numbers.
 template <>

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "core/use_bounds.hpp"
 #include "io/writers.hpp"
 #include "nda/types.hpp"
 
@@ -51,6 +52,22 @@ class ArcLines {
   char separator_;
 };
 
+// Of the indices whose bounds are not 1..1.
+void write_bounds(const Problem& problem, TextWriter& out) {
+  for (int k = 0; k < problem.num_dimensions(); ++k) {
+    const std::span<const UseBounds> bounds = problem.use_bounds(k);
+    for (std::size_t i = 1; i < bounds.size(); ++i) {
+      if (bounds[i] == UseBounds{}) continue;
+      out << "b " << static_cast<std::uint64_t>(k + 1) << ' ' << std::uint64_t{i} << ' '
+          << std::uint64_t{bounds[i].lo} << ' ';
+      if (bounds[i].hi == UseBounds::kUnlimited)
+        out << "inf\n";
+      else
+        out << std::uint64_t{bounds[i].hi} << '\n';
+    }
+  }
+}
+
 bool occurs(const Problem& problem, int k, Index index) {
   const std::span<const Index> indices = problem.indices(k);
   return problem.singleton_costs(k)[index] != 0 ||
@@ -65,6 +82,7 @@ void write_nda(const Problem& problem, TextWriter& out) {
   out << "p nda " << static_cast<std::uint64_t>(problem.num_dimensions());
   for (const Index size : problem.sizes()) out << ' ' << std::uint64_t{size};
   out << ' ' << num_lines << '\n';
+  write_bounds(problem, out);
 
   ArcLines lines(problem, out, "a ", ' ');
   for_each_priced_singleton(problem,
@@ -74,6 +92,7 @@ void write_nda(const Problem& problem, TextWriter& out) {
 }
 
 void write_csv(const Problem& problem, TextWriter& out) {
+  core::require_single_uses(problem, "format csv");
   for (int k = 1; k <= problem.num_dimensions(); ++k) {
     out << 'i' << static_cast<std::uint64_t>(k) << ',';
   }

@@ -4,6 +4,8 @@
 #include <numeric>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "io/writers.hpp"
@@ -17,6 +19,11 @@
 //
 // The third word of an MPS file's first line, FREE, keeps COIN's reader from guessing the format
 // line by line, by the columns that words happen to start in.
+//
+// Where an index has bounds lo..hi of its own, its row is a range and its singleton's column an
+// integer from 0 to hi.  Not every reader of LP files knows ranges, so they become two rows there,
+// c_2_3 and d_2_3.  An integer column of an MPS file has no default bounds that all readers share,
+// so each gets its own.
 //
 // An index that nothing may use makes the problem infeasible, but an LP file cannot hold an empty
 // row: a column `never`, fixed at 0, stands in it.
@@ -43,6 +50,9 @@ class Model {
   const Problem& problem() const { return problem_; }
   int num_dimensions() const { return problem_.num_dimensions(); }
   Index size(int k) const { return problem_.size(k); }
+  UseBounds bounds(int k, Index i) const { return problem_.use_bounds(k, i); }
+  // Whether x of the singleton is 0 or 1.
+  bool is_binary(int k, Index i) const { return bounds(k, i).hi <= 1; }
   bool has_singleton(int k, Index i) const { return problem_.singleton_costs(k)[i] < kInfinity; }
 
   void write_arc(TextWriter& out, std::size_t a) const {
@@ -65,8 +75,8 @@ class Model {
     }
   }
 
-  static void write_row(TextWriter& out, int k, Index i) {
-    out << "c_" << static_cast<std::uint64_t>(k + 1) << '_' << std::uint64_t{i};
+  static void write_row(TextWriter& out, int k, Index i, char letter = 'c') {
+    out << letter << '_' << static_cast<std::uint64_t>(k + 1) << '_' << std::uint64_t{i};
   }
 
   // Calls visit(write_name, cost) for every column, arcs first.
@@ -127,10 +137,20 @@ void write_lp_objective(const Model& model, TextWriter& out) {
   out << "\n + 0 " << kNever << '\n';
 }
 
-void write_lp_row(
-    const Model& model, TextWriter& out, int k, Index i, std::span<const std::uint32_t> arcs) {
+struct RowEnd {
+  const char* relation;
+  Index value;
+};
+
+void write_lp_row(const Model& model,
+                  TextWriter& out,
+                  int k,
+                  Index i,
+                  std::span<const std::uint32_t> arcs,
+                  char letter,
+                  RowEnd end) {
   out << ' ';
-  Model::write_row(out, k, i);
+  Model::write_row(out, k, i, letter);
   out << ':';
   for (const std::uint32_t a : arcs) {
     out << "\n + ";
@@ -142,7 +162,44 @@ void write_lp_row(
   } else if (arcs.empty()) {
     out << ' ' << kNever;
   }
-  out << " = 1\n";
+  out << ' ' << end.relation << ' ' << std::uint64_t{end.value} << '\n';
+}
+
+void write_lp_rows(
+    const Model& model, TextWriter& out, int k, Index i, std::span<const std::uint32_t> arcs) {
+  const auto [lo, hi] = model.bounds(k, i);
+  if (lo == hi) return write_lp_row(model, out, k, i, arcs, 'c', {"=", lo});
+  write_lp_row(model, out, k, i, arcs, 'c', {">=", lo});
+  if (hi != UseBounds::kUnlimited) write_lp_row(model, out, k, i, arcs, 'd', {"<=", hi});
+}
+
+// Columns of arcs and of singletons that are chosen once at most; the others have bounds.
+void write_lp_columns(const Model& model, TextWriter& out) {
+  model.for_each_singleton([&](int k, Index i, double) {
+    const Index hi = model.bounds(k, i).hi;
+    if (model.is_binary(k, i) || hi == UseBounds::kUnlimited) return;
+    out << " 0 <= ";
+    model.write_singleton(out, k, i);
+    out << " <= " << std::uint64_t{hi} << '\n';
+  });
+  out << "binaries\n";
+  for (std::size_t a = 0; a < model.problem().num_arcs(); ++a) {
+    out << ' ';
+    model.write_arc(out, a);
+    out << '\n';
+  }
+  std::string_view heading;
+  const auto write_singletons = [&](bool binary) {
+    model.for_each_singleton([&](int k, Index i, double) {
+      if (model.is_binary(k, i) != binary) return;
+      out << std::exchange(heading, {}) << ' ';
+      model.write_singleton(out, k, i);
+      out << '\n';
+    });
+  };
+  write_singletons(true);
+  heading = "generals\n";
+  write_singletons(false);
 }
 
 }  // namespace
@@ -153,14 +210,10 @@ void write_lp(const Problem& problem, TextWriter& out) {
   out << "subject to\n";
   for (int k = 0; k < model.num_dimensions(); ++k) {
     const ArcsByIndex by_index(problem, k);
-    for (Index i = 1; i <= model.size(k); ++i) write_lp_row(model, out, k, i, by_index.of(i));
+    for (Index i = 1; i <= model.size(k); ++i) write_lp_rows(model, out, k, i, by_index.of(i));
   }
-  out << "bounds\n " << kNever << " = 0\nbinaries\n";
-  model.for_each_column([&](auto write_name, double) {
-    out << ' ';
-    write_name(out);
-    out << '\n';
-  });
+  out << "bounds\n " << kNever << " = 0\n";
+  write_lp_columns(model, out);
   out << "end\n";
   out.finish();
 }
@@ -202,30 +255,57 @@ void for_each_row(const Model& model, Write write) {
   }
 }
 
+void write_mps_rhs(const Model& model, TextWriter& out) {
+  out << "RHS\n";
+  for_each_row(model, [&](int k, Index i) {
+    out << " rhs ";
+    Model::write_row(out, k, i);
+    out << ' ' << std::uint64_t{model.bounds(k, i).lo} << '\n';
+  });
+  if (!model.problem().is_many_to_one()) return;
+  out << "RANGES\n";
+  for_each_row(model, [&](int k, Index i) {
+    const auto [lo, hi] = model.bounds(k, i);
+    if (lo == hi || hi == UseBounds::kUnlimited) return;
+    out << " rng ";
+    Model::write_row(out, k, i);
+    out << ' ' << std::uint64_t{hi - lo} << '\n';
+  });
+}
+
+void write_mps_bounds(const Model& model, TextWriter& out) {
+  out << "BOUNDS\n";
+  for (std::size_t a = 0; a < model.problem().num_arcs(); ++a) {
+    out << " BV bnd ";
+    model.write_arc(out, a);
+    out << '\n';
+  }
+  model.for_each_singleton([&](int k, Index i, double) {
+    const Index hi = model.bounds(k, i).hi;
+    const bool is_limited = hi != UseBounds::kUnlimited;
+    out << (model.is_binary(k, i) ? " BV bnd " : is_limited ? " UP bnd " : " PL bnd ");
+    model.write_singleton(out, k, i);
+    if (!model.is_binary(k, i) && is_limited) out << ' ' << std::uint64_t{hi};
+    out << '\n';
+  });
+}
+
 }  // namespace
 
 void write_mps(const Problem& problem, TextWriter& out) {
   const Model model(problem);
   out << "NAME nda FREE\nROWS\n N cost\n";
   for_each_row(model, [&](int k, Index i) {
-    out << " E ";
+    const auto [lo, hi] = model.bounds(k, i);
+    out << (lo == hi ? " E " : " G ");
     Model::write_row(out, k, i);
     out << '\n';
   });
   out << "COLUMNS\n M1 'MARKER' 'INTORG'\n";
   write_mps_columns(model, out);
-  out << " M2 'MARKER' 'INTEND'\nRHS\n";
-  for_each_row(model, [&](int k, Index i) {
-    out << " rhs ";
-    Model::write_row(out, k, i);
-    out << " 1\n";
-  });
-  out << "BOUNDS\n";
-  model.for_each_column([&](auto write_name, double) {
-    out << " BV bnd ";
-    write_name(out);
-    out << '\n';
-  });
+  out << " M2 'MARKER' 'INTEND'\n";
+  write_mps_rhs(model, out);
+  write_mps_bounds(model, out);
   out << "ENDATA\n";
   out.finish();
 }

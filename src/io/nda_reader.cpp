@@ -98,25 +98,25 @@ class NdaReader {
     if (k == 0) scanner_.fail("dimension 0 does not exist, the first is 1");
     const Index index = read_index(k - 1);
     if (index == 0) scanner_.fail("index 0 of dimension " + std::to_string(k) + " has no bounds");
-    constexpr std::uint64_t kLargest = std::numeric_limits<Index>::max();
-    const std::uint64_t lower = read_whole(scanner_, "a lower bound", kLargest);
+    UseBounds bounds;
+    bounds.lo = read_count("a lower bound");
     const std::string upper_text(scanner_.word());
-    const std::uint64_t upper = read_upper_bound(kLargest);
-    if (lower > upper) {
-      scanner_.fail("lower bound " + std::to_string(lower) + " exceeds upper bound " + upper_text);
-    }
-    if (lower != 1 || upper != 1) {
-      scanner_.fail("bounds " + std::to_string(lower) + " " + upper_text + " of index " +
-                    std::to_string(index) + " of dimension " + std::to_string(k) +
-                    ": only 1 1 is supported");
+    bounds.hi = upper_text == "inf" ? skip_inf() : read_count("an upper bound");
+    if (bounds.lo > bounds.hi) {
+      scanner_.fail("lower bound " + std::to_string(bounds.lo) + " exceeds upper bound " +
+                    upper_text);
     }
     scanner_.finish_line();
+    builder_->set_use_bounds(static_cast<int>(k) - 1, index, bounds);
   }
 
-  std::uint64_t read_upper_bound(std::uint64_t largest) {
-    if (scanner_.word() != "inf") return read_whole(scanner_, "an upper bound", largest);
+  Index read_count(const char* what) {
+    return static_cast<Index>(read_whole(scanner_, what, UseBounds::kUnlimited - 1));
+  }
+
+  Index skip_inf() {
     for (int i = 0; i < 3; ++i) scanner_.advance();
-    return std::numeric_limits<std::uint64_t>::max();
+    return UseBounds::kUnlimited;
   }
 
   Scanner& scanner_;

@@ -9,7 +9,7 @@ namespace nda::io {
 // One reader per format.  Each consumes the whole source and throws InputError "line n: ...".
 
 /// The project's own format: comments `c`, one line `p nda N M1..MN A`, A lines `a i1..iN cost`,
-/// lines `b k i lo hi` of which only `1 1` is supported.
+/// lines `b k i lo hi` with the bounds on the uses of an index.
 Problem read_nda(Scanner& scanner, const ReadOptions& options);
 
 /// `N s`, then s^N costs, last index fastest.  Singletons are forbidden: a perfect assignment.

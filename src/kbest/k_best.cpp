@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/use_bounds.hpp"
 #include "kbest/near_optimal.hpp"
 #include "kbest/ranker.hpp"
 #include "kbest/ranking_progress.hpp"
@@ -41,6 +42,8 @@ void rank(const Problem& problem, Solution& solution, std::size_t k, const Optio
 
 Solution solve_k_best(const Problem& problem, std::size_t k, const Options& options) {
   if (k == 0) throw InputError("k is 0; at least 1 solution must be asked for");
+  if (k > 1 || options.ranking.method != RankingMethod::kExact)
+    core::require_single_uses(problem, "ranking");
   Solution solution = solve(problem, options);
   if (solution.solutions.empty()) return solution;
   if (options.ranking.method != RankingMethod::kExact) {

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/use_bounds.hpp"
 #include "kbest/ranker.hpp"
 #include "kbest/ranking_progress.hpp"
 #include "nda/k_best.hpp"
@@ -128,6 +129,7 @@ class Ranking::State {
 
 Ranking::Ranking(const Problem& problem, const Options& options) {
   validate(options);
+  core::require_single_uses(problem, "ranking");
   state_ = std::make_unique<State>(problem, options);
 }
 

@@ -175,6 +175,11 @@ void LinearProgram::set_upper(int column, double upper) {
   clp_->simplex.setColumnUpper(column, upper);
 }
 
+void LinearProgram::set_lower(int column, double lower) {
+  hand_over();
+  clp_->simplex.setColumnLower(column, lower);
+}
+
 void LinearProgram::set_equality(int row, bool equality) {
   hand_over();
   ClpSimplex& simplex = clp_->simplex;

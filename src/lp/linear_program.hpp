@@ -50,6 +50,8 @@ class LinearProgram {
   void remove_rows(std::span<const int> rows);
   void remove_columns(std::span<const int> columns);
   void set_upper(int column, double upper);
+  /// 0 <= lower <= upper of a column that is there; 0 at first.
+  void set_lower(int column, double lower);
   /// Makes a row an equality, or an inequality again.
   void set_equality(int row, bool equality);
 

@@ -17,6 +17,7 @@ namespace nda::mip {
 namespace {
 
 constexpr double kIntegerTolerance = 1e-4;
+constexpr double kMostUses = UseBounds::kUnlimited;
 
 constexpr ExternalKind kKinds[] = {
     {"cbc", "COIN-OR's branch and cut", "coinor-cbc", find_cbc},
@@ -25,29 +26,40 @@ constexpr ExternalKind kKinds[] = {
     {"highs", "HiGHS as a program on the PATH", "none, see https://highs.dev", find_highs},
 };
 
-// Arcs of the columns; false when a column does not exist or is named twice.
-bool arcs_of(const Problem& problem,
-             const std::vector<std::size_t>& columns,
-             std::vector<std::vector<Index>>& arcs) {
-  std::size_t num_columns = problem.num_arcs();
+std::size_t count_columns(const Problem& problem) {
+  std::size_t count = problem.num_arcs();
   for (int k = 0; k < problem.num_dimensions(); ++k) {
     const auto costs = problem.singleton_costs(k);
-    num_columns += static_cast<std::size_t>(
+    count += static_cast<std::size_t>(
         std::count_if(costs.begin() + 1, costs.end(), [](double c) { return c < kInfinity; }));
   }
-  if (std::adjacent_find(columns.begin(), columns.end()) != columns.end()) return false;
-  if (!columns.empty() && columns.back() >= num_columns) return false;
-  for (const std::size_t column : columns) {
-    if (column < problem.num_arcs()) arcs.push_back(problem.arc(column));
+  return count;
+}
+
+// Appends the arcs of the columns, and says what is wrong with these.  Singletons follow from the
+// arcs.
+std::string take_arcs(const Problem& problem,
+                      const std::vector<RawAnswer::Column>& columns,
+                      std::vector<std::vector<Index>>& arcs) {
+  const auto same = [](const auto& a, const auto& b) { return a.number == b.number; };
+  if (std::adjacent_find(columns.begin(), columns.end(), same) != columns.end())
+    return "names a column twice";
+  if (!columns.empty() && columns.back().number >= count_columns(problem))
+    return "names a column that does not exist";
+  for (const RawAnswer::Column& column : columns) {
+    if (column.number >= problem.num_arcs()) break;
+    if (column.value > 1) return "chooses an arc " + std::to_string(column.value) + " times";
+    arcs.push_back(problem.arc(column.number));
   }
-  return true;
+  return {};
 }
 
 void accept(const Problem& problem, const RawAnswer& raw, ExternalAnswer& answer) {
   std::vector<std::vector<Index>> arcs;
-  if (!arcs_of(problem, raw.columns, arcs)) {
+  const std::string fault = take_arcs(problem, raw.columns, arcs);
+  if (!fault.empty()) {
     answer.status = ExternalStatus::kWrong;
-    answer.note = "names a column that does not exist";
+    answer.note = fault;
     return;
   }
   Solution solution;
@@ -114,11 +126,11 @@ const char* to_string(ExternalStatus status) {
 }
 
 void RawAnswer::take(std::size_t column, double value) {
-  if (std::abs(value) <= kIntegerTolerance) return;
-  if (std::abs(value - 1) <= kIntegerTolerance) {
-    columns.push_back(column);
-  } else {
+  const double whole = std::nearbyint(value);
+  if (!(std::abs(value - whole) <= kIntegerTolerance) || whole < 0 || whole > kMostUses) {
     has_solution = false;
+  } else if (whole > 0) {
+    columns.push_back({column, static_cast<std::size_t>(whole)});
   }
 }
 

@@ -17,6 +17,7 @@ namespace nda::mip {
 //     minimise  sum c_a x_a + sum s_ki y_ki
 //     for every index (k, i):  sum of x_a over arcs that contain it + y_ki = 1,   x, y binary
 //
+// (where an index has bounds lo..hi of its own: lo <= ... <= hi, y an integer from 0 to hi)
 // with the costs as they are: no cost shift, no reduction; what the model allows, the solver's own
 // presolve must find.  Columns are the arcs in the order of the problem, then the singletons that
 // are not forbidden, dimension by dimension.
@@ -57,9 +58,14 @@ struct RawAnswer {
   double objective = kInfinity;  ///< as stated; +inf when not
   double bound = -kInfinity;     ///< as stated; -inf when not
   bool has_solution = false;
-  std::vector<std::size_t> columns;  ///< those at 1, counted from 0, ascending
+  struct Column {
+    std::size_t number;  ///< from 0
+    std::size_t value;
+  };
+  std::vector<Column> columns;  ///< those above 0, ascending
 
-  /// Notes the value of a column; one far from 0 and 1 means that this is no solution after all.
+  /// Notes the value of a column; one far from a whole number, or below 0, means that this is no
+  /// solution after all.
   void take(std::size_t column, double value);
 };
 

@@ -6,6 +6,7 @@
 
 #include "core/clock.hpp"
 #include "core/option_table.hpp"
+#include "core/use_bounds.hpp"
 #include "mip/external_solver.hpp"
 #include "nda/baselines.hpp"
 #include "nda/check.hpp"
@@ -46,23 +47,32 @@ struct NdaMethod {
   const char* name;
   const char* about;
   Options (*options)();
+  bool knows_bounds;  // on uses
 };
 
 // Partial branch and bound keeps a buffer of solutions, and cuts nothing before it is full.
 constexpr std::size_t kBuffer = 10;
 
 const NdaMethod kNdaMethods[] = {
-    {"default", "preset default", [] { return preset("default"); }},
-    {"exact", "preset exact", [] { return preset("exact"); }},
-    {"realtime", "preset realtime, with its own time limit", [] { return preset("realtime"); }},
-    {"enumeration", "branch and bound from the start (at most 1000 arcs)", enumeration},
+    {"default", "preset default", [] { return preset("default"); }, true},
+    {"exact", "preset exact", [] { return preset("exact"); }, true},
+    {"realtime",
+     "preset realtime, with its own time limit",
+     [] { return preset("realtime"); },
+     true},
+    {"enumeration", "branch and bound from the start (at most 1000 arcs)", enumeration, false},
     {"relaxation",
      "relaxation and recovery alone, dual by the bundle method",
-     [] { return relaxation_by("bundle"); }},
-    {"volume", "the same, dual by the volume algorithm", [] { return relaxation_by("volume"); }},
+     [] { return relaxation_by("bundle"); },
+     false},
+    {"volume",
+     "the same, dual by the volume algorithm",
+     [] { return relaxation_by("volume"); },
+     false},
     {"subgradient",
      "the same, dual by subgradient steps",
-     [] { return relaxation_by("subgradient"); }},
+     [] { return relaxation_by("subgradient"); },
+     false},
 };
 
 struct Baseline {
@@ -70,24 +80,36 @@ struct Baseline {
   const char* about;
   BaselineResult (*solve)(const Problem&);
   bool exact;
+  bool knows_bounds;  // on uses
 };
 
 const Baseline kBaselines[] = {
-    {"greedy", "always the cheapest arc that fits", solve_greedy, false},
+    {"greedy", "always the cheapest arc that fits", solve_greedy, false, true},
     {"random-greedy",
      "best of 100 greedy constructions with random choices",
      [](const Problem& problem) { return solve_randomized_greedy(problem); },
+     false,
      false},
-    {"max-regret", "always the index that loses most by waiting", solve_max_regret, false},
+    {"max-regret", "always the index that loses most by waiting", solve_max_regret, false, false},
     {"sgts",
      "semi-greedy track selection",
      [](const Problem& problem) { return solve_sgts(problem); },
+     false,
      false},
-    {"brute-force", "all solutions (at most 32 arcs and 64 indices)", solve_brute_force, true},
+    {"brute-force",
+     "all solutions (at most 32 arcs and 64 indices)",
+     solve_brute_force,
+     true,
+     true},
 };
 
 std::string more_than(std::size_t limit, const char* what) {
   return "more than " + std::to_string(limit) + " " + what;
+}
+
+// Why a method that does not know bounds on uses is not meant for a problem that has some.
+std::string bounds_fault(bool knows_bounds, const Problem& problem) {
+  return knows_bounds ? std::string() : core::first_bounds(problem);
 }
 
 Solution as_solution(const Problem& problem, BaselineResult result) {
@@ -166,12 +188,12 @@ MethodResult run_external(const ExternalSolver& solver,
 
 Contender make_contender(const NdaMethod& line) {
   Contender method{line.name, MethodKind::kNda, line.about, {}, {}};
-  if (std::string(line.name) == "enumeration") {
-    method.unfit = [](const Problem& problem) {
-      return problem.num_arcs() > kEnumerationMaxArcs ? more_than(kEnumerationMaxArcs, "arcs")
-                                                      : std::string();
-    };
-  }
+  const bool is_enumeration = std::string(line.name) == "enumeration";
+  method.unfit = [&line, is_enumeration](const Problem& problem) {
+    return is_enumeration && problem.num_arcs() > kEnumerationMaxArcs
+               ? more_than(kEnumerationMaxArcs, "arcs")
+               : bounds_fault(line.knows_bounds, problem);
+  };
   method.run = [&line](const Problem& problem, const RunLimits& limits) {
     return run_nda(problem, line.options(), limits);
   };
@@ -188,17 +210,13 @@ Contender make_contender(const PresetInfo& line) {
 
 Contender make_contender(const Baseline& line) {
   Contender method{line.name, MethodKind::kBaseline, line.about, {}, {}};
-  if (line.exact) {
-    method.unfit = [](const Problem& problem) {
-      if (problem.num_arcs() > kQuickBruteForceMaxArcs) {
-        return more_than(kQuickBruteForceMaxArcs, "arcs");
-      }
-      if (problem.num_indices() > kBruteForceMaxIndices) {
-        return more_than(kBruteForceMaxIndices, "indices");
-      }
-      return std::string();
-    };
-  }
+  method.unfit = [&line](const Problem& problem) {
+    if (line.exact && problem.num_arcs() > kQuickBruteForceMaxArcs)
+      return more_than(kQuickBruteForceMaxArcs, "arcs");
+    if (line.exact && problem.num_indices() > kBruteForceMaxIndices)
+      return more_than(kBruteForceMaxIndices, "indices");
+    return bounds_fault(line.knows_bounds, problem);
+  };
   method.run = [&line](const Problem& problem, const RunLimits&) {
     return run_baseline(problem, line);
   };

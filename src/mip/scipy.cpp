@@ -13,10 +13,10 @@
 // HiGHS (Huangfu & Hall) inside SciPy 1.9 or later, called by a few lines of Python.
 //
 // Model file, in the machine's own byte order: 64-bit numbers of rows, columns, entries; 64-bit
-// starts of the columns (one more than columns) and row numbers of the entries; costs of the
-// columns as doubles.  Rows are the indices, dimension by dimension; all entries and right-hand
-// sides are 1.  The program answers with lines "status N", "bound X", "objective X" (where known)
-// and "column J VALUE" for each column that is not 0.
+// starts of the columns (one more than columns) and row numbers of the entries; then as doubles
+// costs and upper bounds of the columns, lower and upper bounds of the rows.  Rows are the indices,
+// dimension by dimension; all entries are 1.  The program answers with lines "status N", "bound X",
+// "objective X" (where known) and "column J VALUE" for each column that is not 0.
 //
 // SciPy hands options it does not know to HiGHS, with a warning: that is how the number of threads
 // gets there.  Its time limit begins after Python has started and read the model.
@@ -45,13 +45,14 @@ with open(sys.argv[1], 'rb') as file:
     rows, columns, entries = (int(n) for n in np.fromfile(file, np.int64, 3))
     starts = np.fromfile(file, np.int64, columns + 1)
     indices = np.fromfile(file, np.int64, entries)
-    costs = np.fromfile(file, np.float64, columns)
+    costs, most = (np.fromfile(file, np.float64, columns) for _ in range(2))
+    lower, upper = (np.fromfile(file, np.float64, rows) for _ in range(2))
 matrix = csc_matrix((np.ones(entries), indices, starts), shape=(rows, columns))
 options = {'mip_rel_gap': 0.0, 'mip_abs_gap': 1e-9, 'threads': 1, 'parallel': 'off'}
 if len(sys.argv) > 3:
     options['time_limit'] = float(sys.argv[3])
-result = milp(costs, integrality=np.ones(columns), bounds=Bounds(0, 1),
-              constraints=LinearConstraint(matrix, 1, 1), options=options)
+result = milp(costs, integrality=np.ones(columns), bounds=Bounds(0, most),
+              constraints=LinearConstraint(matrix, lower, upper), options=options)
 with open(sys.argv[2], 'w') as file:
     print('status', result.status, file=file)
     if result.mip_dual_bound is not None:
@@ -75,19 +76,24 @@ struct Matrix {
         const Index i = problem.indices(k)[a];
         if (i != 0) indices.push_back(first_row[static_cast<std::size_t>(k)] + i - 1);
       }
-      end_column(problem.costs()[a]);
+      end_column(problem.costs()[a], 1);
     }
     for (int k = 0; k < problem.num_dimensions(); ++k) {
       for (Index i = 1; i <= problem.size(k); ++i) {
+        const UseBounds bounds = problem.use_bounds(k, i);
+        const double hi = bounds.hi == UseBounds::kUnlimited ? kInfinity : bounds.hi;
+        lower.push_back(bounds.lo);
+        upper.push_back(hi);
         if (problem.singleton_costs(k)[i] == kInfinity) continue;
         indices.push_back(first_row[static_cast<std::size_t>(k)] + i - 1);
-        end_column(problem.singleton_costs(k)[i]);
+        end_column(problem.singleton_costs(k)[i], hi);
       }
     }
   }
 
-  void end_column(double cost) {
+  void end_column(double cost, double hi) {
     costs.push_back(cost);
+    most.push_back(hi);
     starts.push_back(static_cast<std::int64_t>(indices.size()));
   }
 
@@ -95,6 +101,9 @@ struct Matrix {
   std::vector<std::int64_t> starts;
   std::vector<std::int64_t> indices;
   std::vector<double> costs;
+  std::vector<double> most;   // by column
+  std::vector<double> lower;  // by row
+  std::vector<double> upper;  // by row
 };
 
 template <typename T>
@@ -124,7 +133,9 @@ class Scipy : public ExternalSolver {
                                           static_cast<std::int64_t>(matrix.indices.size())});
     write_bytes(*sink, matrix.starts);
     write_bytes(*sink, matrix.indices);
-    write_bytes(*sink, matrix.costs);
+    for (const std::vector<double>& values :
+         {matrix.costs, matrix.most, matrix.lower, matrix.upper})
+      write_bytes(*sink, values);
     sink->commit();
   }
 

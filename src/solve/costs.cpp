@@ -56,6 +56,10 @@ std::string figure_text(double figure) {
   return text;
 }
 
+std::string overflow_reason(double largest) {
+  return "costs as large as " + figure_text(largest) + " overflow, scale them";
+}
+
 Solution overflow(const Problem& problem, double largest) {
   Solution solution;
   solution.sizes.assign(problem.sizes().begin(), problem.sizes().end());
@@ -72,7 +76,7 @@ Solution overflow(const Problem& problem, double largest) {
   for (const Index size : problem.sizes()) solution.multipliers.emplace_back(size, 0.0);
   solution.lower_bound = certificate_bound(problem, solution.multipliers);
   solution.stats.certificate_bound = solution.lower_bound;
-  solution.reason = "costs as large as " + figure_text(largest) + " overflow, scale them";
+  solution.reason = overflow_reason(largest);
   return solution;
 }
 

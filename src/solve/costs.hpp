@@ -20,6 +20,9 @@ double off_grid(const Problem& problem, double cost);
 /// A cost for a sentence: three digits.
 std::string figure_text(double figure);
 
+/// Why nothing is searched where costs are as large as that.
+std::string overflow_reason(double largest);
+
 /// The answer where costs as large as `largest` overflow: nothing can be computed but what leaving
 /// every index alone costs, if it may be.
 Solution overflow(const Problem& problem, double largest);

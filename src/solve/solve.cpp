@@ -18,6 +18,7 @@
 #include "solve/component_solver.hpp"
 #include "solve/costs.hpp"
 #include "solve/infeasibility.hpp"
+#include "solve/many_to_one.hpp"
 #include "solve/monitor.hpp"
 #include "solve/parallel.hpp"
 #include "solve/penalties.hpp"
@@ -463,16 +464,21 @@ class Pipeline {
   bool is_infeasible_ = false;
 };
 
-}  // namespace
-
-Solution solve(const Problem& problem, const Options& options) {
-  if (problem.num_dimensions() == 0) throw InputError("the problem was moved from: 0 dimensions");
-  validate(options);
+Solution solve_once(const Problem& problem, const Options& options) {
   return pipeline::solve_by_penalties(options, [&](const Options& run, bool modest) {
     Pipeline pipeline(problem, run, modest);
     Solution solution = pipeline.run();
     return pipeline::PenalisedRun{std::move(solution), pipeline.needs_higher_penalty()};
   });
+}
+
+}  // namespace
+
+Solution solve(const Problem& problem, const Options& options) {
+  if (problem.num_dimensions() == 0) throw InputError("the problem was moved from: 0 dimensions");
+  validate(options);
+  return problem.is_many_to_one() ? pipeline::solve_many_to_one(problem, options, solve_once)
+                                  : solve_once(problem, options);
 }
 
 }  // namespace nda

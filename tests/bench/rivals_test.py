@@ -39,6 +39,13 @@ class Folder(unittest.TestCase):
         return problem.read_problem(path)
 
 
+class Reading(Folder):
+    def test_refuses_bounds_on_uses(self):
+        self.assertEqual(self.read("p nda 2 1 1 1\nb 1 1 1 1\na 1 1 -3\n").num_arcs, 1)
+        with self.assertRaisesRegex(ValueError, "bounds on uses"):
+            self.read("p nda 2 1 1 1\nb 1 1 1 2\na 1 1 -3\n")
+
+
 class Problems(Folder):
     TWO_PARTS = "c parts\np nda 2 3 3 6\na 1 1 -5\na 1 2 -4\na 2 1 -4\na 3 3 2\na 3 0 5\na 0 3 1\n"
 

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 
@@ -23,18 +24,28 @@ struct ExactBound {
   void add(const Exact& term) { value += term; }
 };
 
+// The least of s y + u n with n + y in lo..hi and n, y >= 0: at a corner.
+Exact least_cost(UseBounds bounds, double singleton, const Exact& u) {
+  std::vector<Exact> corners;
+  for (const Index uses : {bounds.lo, bounds.hi}) {
+    if (uses == UseBounds::kUnlimited) continue;
+    corners.push_back(uses * u);
+    if (singleton < kInfinity) corners.push_back(uses * Exact(singleton));
+  }
+  return *std::min_element(corners.begin(), corners.end());
+}
+
 // The formula of the header in rational arithmetic.
 ExactBound exact_bound(const Problem& problem, const Multipliers& u) {
   ExactBound bound;
   for (int k = 0; k < problem.num_dimensions(); ++k) {
     for (Index i = 1; i <= problem.size(k); ++i) {
       const Exact multiplier(u[static_cast<std::size_t>(k)][i - 1]);
-      bound.add(multiplier);
-      bound.magnitude += abs(multiplier);
       const double singleton = problem.singleton_costs(k)[i];
-      if (singleton == kInfinity) continue;
-      bound.magnitude += abs(Exact(singleton));
-      if (Exact(singleton) < multiplier) bound.add(Exact(singleton) - multiplier);
+      const Exact least = least_cost(problem.use_bounds(k, i), singleton, multiplier);
+      bound.add(least);
+      bound.magnitude += abs(multiplier) + abs(least);
+      if (singleton < kInfinity) bound.magnitude += abs(Exact(singleton));
     }
   }
   for (std::size_t a = 0; a < problem.num_arcs(); ++a) {
@@ -81,6 +92,24 @@ TEST(CertificateBound, IsNeverAboveTheExactValue) {
     const double size = std::pow(10.0, random.uniform(-13, 12));
     expect_rounded_down(random_case.problem,
                         core::random_multipliers(random_case.problem, random, size));
+  }
+}
+
+TEST(CertificateBound, IsNeverAboveTheExactValueWithBoundsOnUses) {
+  for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+    const support::RandomCase random_case = support::random_bounded_case(seed);
+    const Problem& problem = random_case.problem;
+    SCOPED_TRACE(random_case.description);
+    Random random(seed);
+    Multipliers u = core::random_multipliers(problem, random, 1);
+    for (int k = 0; k < problem.num_dimensions(); ++k) {
+      for (Index i = 1; i <= problem.size(k); ++i) {
+        double& multiplier = u[static_cast<std::size_t>(k)][i - 1];
+        multiplier *= std::pow(10.0, random.uniform(-13, 12));
+        if (problem.use_bounds(k, i).hi == UseBounds::kUnlimited) multiplier = std::abs(multiplier);
+      }
+    }
+    expect_rounded_down(problem, u);
   }
 }
 

@@ -31,6 +31,8 @@ TEST(GeneratedFile, IsTheSameEverywhere) {
   EXPECT_EQ(hash_of_file(generate_map3()), 0xa9a488f3a97108aeu);
   EXPECT_EQ(hash_of_file(generate_planted()), 0xbf2cffac9239bc16u);
   EXPECT_EQ(hash_of_file(generate_gadgets()), 0x95a7f63a39ce95d8u);
+  EXPECT_EQ(hash_of_file(generate_bounded()), 0xc21570a4a1a4c8d8u);
+  EXPECT_EQ(hash_of_file(generate_merged()), 0x4e409a55a0403127u);
   EXPECT_EQ(hash_of_file(generate_tracking(tracking_preset("small"))), 0xdcd1994640580328u);
   EXPECT_EQ(hash_of_file(generate_tracking(tracking_preset("hard6"))), 0xf1d6678d29dc967au);
   EXPECT_EQ(hash_of_file(generate_tracking(tracking_preset("six-scan"))), 0x098b94afbbb1ef84u);

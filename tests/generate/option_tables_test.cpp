@@ -64,6 +64,8 @@ TEST(OptionTable, HoldsWhateverIsAsked) {
   expect_answers("map3", generate_map3);
   expect_answers("planted", generate_planted);
   expect_answers("gadgets", generate_gadgets);
+  expect_answers("bounded", generate_bounded);
+  expect_answers("merged", generate_merged);
   expect_answers("tracking", generate_tracking);
   expect_answers("groups", generate_tracking, tracking_preset("hard6"));
 }
@@ -74,6 +76,8 @@ TEST(OptionTable, HasTheDefaultsInRange) {
   EXPECT_NO_THROW(require_ranges(Map3Options()));
   EXPECT_NO_THROW(require_ranges(PlantedOptions()));
   EXPECT_NO_THROW(require_ranges(GadgetsOptions()));
+  EXPECT_NO_THROW(require_ranges(BoundedOptions()));
+  EXPECT_NO_THROW(require_ranges(MergedOptions()));
   EXPECT_NO_THROW(require_ranges(TrackingOptions()));
 }
 

@@ -85,6 +85,9 @@ inline ::testing::AssertionResult same_problem(const Problem& a, const Problem& 
     if (!equal(a.singleton_costs(k), b.singleton_costs(k))) {
       return ::testing::AssertionFailure() << "singletons of dimension " << k + 1 << " differ";
     }
+    if (!equal(a.use_bounds(k), b.use_bounds(k))) {
+      return ::testing::AssertionFailure() << "bounds of dimension " << k + 1 << " differ";
+    }
   }
   if (!equal(a.costs(), b.costs())) return ::testing::AssertionFailure() << "costs differ";
   return ::testing::AssertionSuccess();

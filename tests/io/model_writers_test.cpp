@@ -49,6 +49,69 @@ TEST(MpsWriter, WritesTheSameModel) {
             "BOUNDS\n BV bnd x_1_1\n BV bnd x_2_0\n BV bnd x_0_1\nENDATA\n");
 }
 
+// One index of each kind: 1..2 and 0..inf, 1..1, 2..2 with a forbidden singleton, 0..1.
+Problem bounded_problem() {
+  ProblemBuilder builder({2, 3});
+  builder.add_arc({1, 1}, -2.5);
+  builder.add_arc({2, 2}, -1);
+  builder.add_arc({0, 2}, kInfinity);
+  builder.set_use_bounds(0, 1, {1, 2});
+  builder.set_use_bounds(0, 2, {0, UseBounds::kUnlimited});
+  builder.set_use_bounds(1, 2, {2, 2});
+  builder.set_use_bounds(1, 3, {0, 1});
+  return std::move(builder).build();
+}
+
+TEST(NdaWriter, WritesBoundsFirst) {
+  EXPECT_EQ(text_of(bounded_problem(), FileFormat::kNda),
+            "p nda 2 2 3 3\nb 1 1 1 2\nb 1 2 0 inf\nb 2 2 2 2\nb 2 3 0 1\n"
+            "a 0 2 inf\na 1 1 -2.5\na 2 2 -1\n");
+}
+
+TEST(NdaWriter, RestoresBounds) {
+  for (std::uint64_t seed = 0; seed < 500; ++seed) {
+    SCOPED_TRACE(seed);
+    const Problem problem = support::random_bounded_case(seed).problem;
+    EXPECT_TRUE(same_problem(parse_problem(text_of(problem, FileFormat::kNda)), problem));
+  }
+}
+
+TEST(CsvWriter, RefusesBounds) {
+  EXPECT_EQ(message_of([] { text_of(bounded_problem(), FileFormat::kCsv); }),
+            "format csv cannot deal with bounds on uses: index 1 of dimension 1 has bounds 1..2");
+}
+
+TEST(LpWriter, WritesBoundsAsTwoRowsAndWholeSingletons) {
+  EXPECT_EQ(text_of(bounded_problem(), FileFormat::kLp),
+            "minimize\n obj:\n - 2.5 x_1_1\n - 1 x_2_2\n + 0 x_1_0\n + 0 x_2_0\n + 0 x_0_1\n"
+            " + 0 x_0_3\n + 0 never\n"
+            "subject to\n"
+            " c_1_1:\n + x_1_1\n + x_1_0 >= 1\n"
+            " d_1_1:\n + x_1_1\n + x_1_0 <= 2\n"
+            " c_1_2:\n + x_2_2\n + x_2_0 >= 0\n"
+            " c_2_1:\n + x_1_1\n + x_0_1 = 1\n"
+            " c_2_2:\n + x_2_2 = 2\n"
+            " c_2_3:\n + x_0_3 >= 0\n"
+            " d_2_3:\n + x_0_3 <= 1\n"
+            "bounds\n never = 0\n 0 <= x_1_0 <= 2\n"
+            "binaries\n x_1_1\n x_2_2\n x_0_1\n x_0_3\ngenerals\n x_1_0\n x_2_0\nend\n");
+}
+
+TEST(MpsWriter, WritesBoundsAsRanges) {
+  EXPECT_EQ(text_of(bounded_problem(), FileFormat::kMps),
+            "NAME nda FREE\nROWS\n N cost\n G c_1_1\n G c_1_2\n E c_2_1\n E c_2_2\n G c_2_3\n"
+            "COLUMNS\n M1 'MARKER' 'INTORG'\n"
+            " x_1_1 cost -2.5\n x_1_1 c_1_1 1\n x_1_1 c_2_1 1\n"
+            " x_2_2 cost -1\n x_2_2 c_1_2 1\n x_2_2 c_2_2 1\n"
+            " x_1_0 cost 0 c_1_1 1\n x_2_0 cost 0 c_1_2 1\n x_0_1 cost 0 c_2_1 1\n"
+            " x_0_3 cost 0 c_2_3 1\n"
+            " M2 'MARKER' 'INTEND'\n"
+            "RHS\n rhs c_1_1 1\n rhs c_1_2 0\n rhs c_2_1 1\n rhs c_2_2 2\n rhs c_2_3 0\n"
+            "RANGES\n rng c_1_1 1\n rng c_2_3 1\n"
+            "BOUNDS\n BV bnd x_1_1\n BV bnd x_2_2\n UP bnd x_1_0 2\n PL bnd x_2_0\n"
+            " BV bnd x_0_1\n BV bnd x_0_3\nENDATA\n");
+}
+
 TEST(LpWriter, NumbersTheColumnsWhereTuplesAreTooLongForNames) {
   ProblemBuilder builder(std::vector<Index>(64, 1));
   builder.add_arc(std::vector<Index>(64, 1), 3);
@@ -132,6 +195,31 @@ void expect_same_optima(const char* program,
   EXPECT_LT(num_infeasible, 20);
 }
 
+// Random problems with bounds on uses, both formats in turn.
+void expect_same_bounded_optima(
+    const char* program,
+    std::uint64_t num_seeds,
+    const std::function<std::optional<double>(const std::string&)>& solve) {
+  if (!is_installed(program)) GTEST_SKIP() << program << " is not installed";
+  const TemporaryFolder folder;
+  std::uint64_t num_infeasible = 0;
+  for (std::uint64_t seed = 0; seed < num_seeds; ++seed) {
+    const support::RandomCase instance = support::random_bounded_case(seed);
+    const char* name = seed % 2 == 0 ? "a.lp" : "a.mps";
+    SCOPED_TRACE(name + (", " + instance.description));
+    const auto expected = support::brute_force(instance.problem);
+    num_infeasible += expected ? 0 : 1;
+    write_problem(instance.problem, folder / name);
+    const std::optional<double> actual = solve(folder / name);
+    ASSERT_EQ(actual.has_value(), expected.has_value());
+    if (actual) {
+      ASSERT_NEAR(*actual, expected->cost, 1e-5);
+    }
+  }
+  EXPECT_GT(num_infeasible, num_seeds / 20);
+  EXPECT_LT(num_infeasible, num_seeds / 2);
+}
+
 // Names of every length up to 100 characters (33 dimensions of size 99) and numbered columns, costs
 // of every length.  With few real indices an arc, a solution has many arcs.
 void expect_same_optima_in_every_shape(
@@ -184,6 +272,14 @@ TEST(ModelWriters, GiveGlpsolTheSameOptimumAsEnumeration) {
 
 TEST(ModelWriters, GiveGlpsolTheSameOptimumInEveryShape) {
   expect_same_optima_in_every_shape("glpsol", solved_by_glpsol);
+}
+
+TEST(ModelWriters, GiveCbcTheSameOptimumOfManyToOneProblems) {
+  expect_same_bounded_optima("cbc", 300, solved_by_cbc);
+}
+
+TEST(ModelWriters, GiveGlpsolTheSameOptimumOfManyToOneProblems) {
+  expect_same_bounded_optima("glpsol", 300, solved_by_glpsol);
 }
 
 }  // namespace

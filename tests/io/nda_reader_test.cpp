@@ -163,23 +163,38 @@ TEST(NdaReader, NamesLineAndValueOfEveryFaultInAnArc) {
 
 TEST(NdaReader, NamesLineAndValueOfEveryFaultInBounds) {
   const Malformed kCases[] = {
-      {"p nda 2 3 7 0\nb 2 5 0 inf\n",
-       "line 2: bounds 0 inf of index 5 of dimension 2: only 1 1 is supported"},
-      {"p nda 2 3 7 0\nb 2 5 1 2\n",
-       "line 2: bounds 1 2 of index 5 of dimension 2: only 1 1 is supported"},
       {"p nda 2 3 7 0\nb 2 5 3 2\n", "line 2: lower bound 3 exceeds upper bound 2"},
       {"p nda 2 3 7 0\nb 3 1 1 1\n", "line 2: a dimension is 3, at most 2 allowed"},
       {"p nda 2 3 7 0\nb 0 1 1 1\n", "line 2: dimension 0 does not exist, the first is 1"},
       {"p nda 2 3 7 0\nb 1 0 1 1\n", "line 2: index 0 of dimension 1 has no bounds"},
       {"p nda 2 3 7 0\nb 1 4 1 1\n", "line 2: index 4 of dimension 1 exceeds 3"},
       {"p nda 2 3 7 0\nb 1 1 x 1\n",
-       "line 2: expected a lower bound, a whole number up to 4294967295, found 'x'"},
+       "line 2: expected a lower bound, a whole number up to 4294967294, found 'x'"},
       {"p nda 2 3 7 0\nb 1 1 1\n",
-       "line 2: expected an upper bound, a whole number up to 4294967295, found the end of the "
+       "line 2: expected an upper bound, a whole number up to 4294967294, found the end of the "
        "line"},
       {"p nda 2 3 7 0\nb 1 1 1 1 1\n", "line 2: unexpected '1'"},
+      {"p nda 2 3 7 0\nb 1 1 inf inf\n",
+       "line 2: expected a lower bound, a whole number up to 4294967294, found 'inf'"},
+      {"p nda 2 3 7 0\nb 1 1 0 -inf\n",
+       "line 2: expected an upper bound, a whole number up to 4294967294, found '-inf'"},
+      {"p nda 2 3 7 0\nb 1 1 0 4294967295\n",
+       "line 2: an upper bound is 4294967295, at most 4294967294 allowed"},
+      {"p nda 2 3 7 1\nb 2 4 0 inf\na 0 4 -3\n",
+       "index 4 of dimension 2 may be used without limit and alone costs -3: there is no least "
+       "cost"},
   };
   expect_messages(kCases);
+}
+
+TEST(NdaReader, ReadsBoundsOnUses) {
+  const Problem problem =
+      parse("p nda 2 3 2 1\nb 1 2 0 inf\nb 2 1 1 2\na 1 1 4\nb 1 3 7 7\nb 2 1 0 4294967294\n");
+  EXPECT_EQ(problem.use_bounds(0, 1), UseBounds{});
+  EXPECT_EQ(problem.use_bounds(0, 2), (UseBounds{0, UseBounds::kUnlimited}));
+  EXPECT_EQ(problem.use_bounds(0, 3), (UseBounds{7, 7}));
+  EXPECT_EQ(problem.use_bounds(1, 1), (UseBounds{0, 4294967294})) << "the last line counts";
+  EXPECT_FALSE(parse("p nda 2 3 2 0\nb 1 2 1 1\n").is_many_to_one());
 }
 
 TEST(NdaReader, RefusesAZeroByte) {

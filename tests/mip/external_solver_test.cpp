@@ -88,6 +88,15 @@ TEST_P(RealSolver, AgreesWithBruteForceOnRandomProblems) {
   }
 }
 
+TEST_P(RealSolver, AgreesWithBruteForceOnBoundsOnUses) {
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    const support::RandomCase instance = support::random_bounded_case(seed);
+    SCOPED_TRACE(instance.description);
+    const auto truth = support::brute_force(instance.problem);
+    expect_solves(instance.problem, truth ? std::optional(truth->cost) : std::nullopt);
+  }
+}
+
 TEST_P(RealSolver, HasNothingToSayOfAnEmptyProblem) {
   const Problem problem = support::empty().problem;
   const ExternalAnswer answer = solver_->solve(problem, limits_);

@@ -50,6 +50,16 @@ END
   EXPECT_EQ(answer.note, "");
 }
 
+TEST_F(FakeSolver, CbcMayNotChooseAnArcTwice) {
+  expect_fault(answer_of("cbc", R"(cat > solution <<END
+Optimal - objective value -8.00000000
+      3 x_2_2_2                2                      -4
+END
+)"),
+               "wrong",
+               "chooses an arc 2 times");
+}
+
 TEST_F(FakeSolver, CbcStoppedByTheLimitStillHasABound) {
   const ExternalAnswer answer = answer_of("cbc", R"(cat > solution <<END
 Stopped on time - objective value -7.00000000

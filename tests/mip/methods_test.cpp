@@ -87,6 +87,42 @@ TEST(Methods, OfOursAgreeWithBruteForceOnRandomProblems) {
   }
 }
 
+TEST(Methods, ThatDoNotKnowBoundsSayWhichTheyMet) {
+  const Scratch scratch;
+  ProblemBuilder builder({2, 1});
+  builder.set_use_bounds(0, 2, {0, 1});
+  const Problem problem = std::move(builder).build();
+  std::vector<std::string> unfit;
+  for (const Contender& method : choose_methods({"nda", "baseline"}, bare(scratch)).methods) {
+    const std::string reason = method.unfit(problem);
+    if (reason.empty()) continue;
+    EXPECT_EQ(reason, "index 2 of dimension 1 has bounds 0..1");
+    unfit.push_back(method.name);
+  }
+  EXPECT_THAT(unfit,
+              ElementsAre("enumeration",
+                          "relaxation",
+                          "volume",
+                          "subgradient",
+                          "random-greedy",
+                          "max-regret",
+                          "sgts"));
+}
+
+TEST(Methods, OfTheBaselinesAgreeOnBoundsOnUses) {
+  const Scratch scratch;
+  const MethodChoice choice = choose_methods({"baseline"}, bare(scratch));
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    const support::RandomCase random = support::random_bounded_case(seed);
+    SCOPED_TRACE(random.description);
+    const auto truth = support::brute_force(random.problem);
+    const FileComparison comparison =
+        run_methods("random", random.problem, choice.methods, {60, {}});
+    EXPECT_THAT(contradictions(comparison), IsEmpty());
+    EXPECT_TRUE(same_value(comparison, comparison.best_cost(), truth ? truth->cost : kInfinity));
+  }
+}
+
 TEST(Methods, ThatEnumerateAreForSmallProblems) {
   const Scratch scratch;
   const MethodChoice choice = choose_methods({"enumeration", "brute-force"}, bare(scratch));

@@ -134,6 +134,75 @@ class Enumeration {
   long double slack_ = 0;
 };
 
+// With bounds on uses the arcs do not exclude each other, so every subset of them is looked at that
+// uses nothing too often.
+class SubsetEnumeration {
+ public:
+  explicit SubsetEnumeration(const Problem& problem) : problem_(problem) {
+    if (problem.num_arcs() > 20) throw std::length_error("too many arcs");
+    std::vector<std::size_t> first;
+    for (int k = 0; k < problem.num_dimensions(); ++k) {
+      first.push_back(bounds_.size());
+      for (Index i = 1; i <= problem.size(k); ++i) {
+        bounds_.push_back(problem.use_bounds(k, i));
+        singletons_.push_back(problem.singleton_costs(k)[i]);
+      }
+    }
+    uses_.assign(bounds_.size(), 0);
+    positions_.resize(problem.num_arcs());
+    for (std::size_t a = 0; a < problem.num_arcs(); ++a) {
+      for (std::size_t k = 0; k < first.size(); ++k) {
+        const Index i = problem.indices(static_cast<int>(k))[a];
+        if (i != 0) positions_[a].push_back(first[k] + i - 1);
+      }
+    }
+  }
+
+  std::optional<ExactSolution> best() {
+    search(0, 0);
+    if (best_cost_ == kInfinity) return std::nullopt;
+    ExactSolution solution{static_cast<double>(best_cost_), {}};
+    for (const std::size_t a : best_) solution.arcs.push_back(problem_.arc(a));
+    return solution;
+  }
+
+ private:
+  void search(std::size_t a, long double cost) {
+    if (a == positions_.size()) {
+      for (std::size_t p = 0; p < uses_.size(); ++p) cost += alone(p);
+      if (cost < best_cost_) {
+        best_cost_ = cost;
+        best_ = chosen_;
+      }
+      return;
+    }
+    search(a + 1, cost);
+    bool fits = true;
+    for (const std::size_t p : positions_[a]) fits = (++uses_[p] <= bounds_[p].hi) && fits;
+    chosen_.push_back(a);
+    if (fits) search(a + 1, cost + problem_.costs()[a]);
+    chosen_.pop_back();
+    for (const std::size_t p : positions_[a]) --uses_[p];
+  }
+
+  // The cheapest number of singletons beside the arcs.
+  long double alone(std::size_t p) const {
+    const auto [lo, hi] = bounds_[p];
+    const long double least = lo > uses_[p] ? lo - uses_[p] : 0;
+    if (singletons_[p] < 0) return (hi - uses_[p]) * static_cast<long double>(singletons_[p]);
+    return least == 0 ? 0 : least * singletons_[p];
+  }
+
+  const Problem& problem_;
+  std::vector<UseBounds> bounds_;   // by position
+  std::vector<double> singletons_;  // by position
+  std::vector<Index> uses_;         // by position
+  std::vector<std::vector<std::size_t>> positions_;
+  std::vector<std::size_t> chosen_;
+  std::vector<std::size_t> best_;
+  long double best_cost_ = kInfinity;
+};
+
 ExactSolution to_solution(const Leaf& leaf) {
   ExactSolution solution;
   solution.cost = static_cast<double>(leaf.cost);
@@ -147,6 +216,7 @@ ExactSolution to_solution(const Leaf& leaf) {
 }  // namespace
 
 std::optional<ExactSolution> brute_force(const Problem& problem) {
+  if (problem.is_many_to_one()) return SubsetEnumeration(problem).best();
   Enumeration enumeration(problem);
   const std::optional<Leaf> best = enumeration.best();
   return best ? std::optional(to_solution(*best)) : std::nullopt;

@@ -22,10 +22,11 @@ struct ExactSolution {
 /// every uncovered index, the cheapest share cost / (number of real indices) of anything containing
 /// it cannot beat the best by more than rounding.  Costs are added in long double.
 ///
-/// Meant for about 30 indices and 25 arcs; exponential.
+/// Meant for about 30 indices and 25 arcs; exponential.  Where any index has bounds of its own it
+/// goes through all subsets of at most 20 arcs.
 std::optional<ExactSolution> brute_force(const Problem& problem);
 
-/// Every feasible solution, cheapest first (equal costs in any order).
+/// Every feasible solution, cheapest first (equal costs in any order), all bounds being 1..1.
 /// Throws std::length_error when there are more than `limit`.
 std::vector<ExactSolution> all_solutions(const Problem& problem, std::size_t limit = 200000);
 

@@ -14,11 +14,12 @@ namespace nda::support {
 using Tuples = std::vector<std::vector<Index>>;
 
 /// What is wrong with this choice of arcs, one sentence; empty when feasible: every tuple is an arc
-/// of the problem with two or more real indices, no real index is used twice, no uncovered index
-/// has a forbidden singleton.
+/// of the problem with two or more real indices and there once, every real index is used as often
+/// as its bounds want, singletons included where they are not forbidden.
 std::string infeasibility(const Problem& problem, const Tuples& arcs);
 
-/// Cost of the arcs plus the singletons of all uncovered indices, added in long double.
+/// Cost of the arcs plus the singletons that the bounds then ask for or that pay, added in long
+/// double.
 /// +inf when a tuple is no arc of the problem.
 double cost_of(const Problem& problem, const Tuples& arcs);
 

@@ -15,10 +15,10 @@ TEST(Infeasibility, NamesTheFault) {
   const Problem problem = crossing_tracks().problem;
   EXPECT_EQ(infeasibility(problem, {{1, 1, 1}, {2, 2, 2}}), "");
   EXPECT_EQ(infeasibility(problem, {}), "");
-  EXPECT_THAT(infeasibility(problem, {{1, 1, 1}, {1, 1, 2}}), HasSubstr("used twice"));
+  EXPECT_THAT(infeasibility(problem, {{1, 1, 1}, {1, 1, 2}}), HasSubstr("used too often"));
   EXPECT_THAT(infeasibility(problem, {{1, 2, 1}}), HasSubstr("no arc"));
   EXPECT_THAT(infeasibility(one_forced_index().problem, {{2, 2}}),
-              HasSubstr("index 1 of dimension 1 is uncovered"));
+              HasSubstr("index 1 of dimension 1 is used too rarely"));
 }
 
 TEST(CostOf, CountsTheSingletonsOfUncoveredIndices) {

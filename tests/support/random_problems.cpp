@@ -61,6 +61,13 @@ double draw_singleton(Random& random, const RandomProblemOptions& options) {
   return kind == SingletonKind::kFree ? 0 : draw_cost(random, options);
 }
 
+// Singletons that pay are limited.
+UseBounds draw_bounds(Random& random, double singleton) {
+  const Index lo = static_cast<Index>(random.below(3));
+  const bool unlimited = random.below(4) == 0 && singleton >= 0;
+  return {lo, unlimited ? UseBounds::kUnlimited : lo + static_cast<Index>(random.below(3))};
+}
+
 // Row r of the planted solution takes index permutation[k][r] of each dimension, or the dummy
 // beyond M_k. What is alone in its row gets a finite singleton.
 void plant(Random& random, const RandomProblemOptions& options, ProblemBuilder& builder) {
@@ -87,7 +94,10 @@ Problem random_problem(std::uint64_t seed, const RandomProblemOptions& options) 
     for (Index i = 1; i <= options.sizes[k]; ++i) {
       std::vector<Index> tuple(options.sizes.size(), 0);
       tuple[k] = i;
-      builder.add_arc(tuple, draw_singleton(random, options));
+      const double singleton = draw_singleton(random, options);
+      builder.add_arc(tuple, singleton);
+      if (options.bounds_share > 0 && random.uniform() < options.bounds_share)
+        builder.set_use_bounds(static_cast<int>(k), i, draw_bounds(random, singleton));
     }
   }
   if (options.plant) plant(random, options, builder);
@@ -97,6 +107,22 @@ Problem random_problem(std::uint64_t seed, const RandomProblemOptions& options) 
   }
   return std::move(builder).build();
 }
+
+namespace {
+
+RandomCase draw_case(std::uint64_t seed, const RandomProblemOptions& options) {
+  Problem problem = random_problem(seed, options);
+  std::ostringstream text;
+  text << "seed " << seed << ": sizes";
+  for (const Index size : options.sizes) text << ' ' << size;
+  text << ", " << problem.num_arcs() << " arcs, " << kSignNames[static_cast<int>(options.sign)]
+       << ' ' << kCostNames[static_cast<int>(options.costs)] << " costs, singletons "
+       << kSingletonNames[static_cast<int>(options.singletons)]
+       << (options.plant ? ", planted" : "") << (problem.is_many_to_one() ? ", bounds" : "");
+  return {options, std::move(problem), text.str()};
+}
+
+}  // namespace
 
 RandomCase random_case(std::uint64_t seed) {
   Random random(seed ^ 0x6e6461ULL);
@@ -109,15 +135,21 @@ RandomCase random_case(std::uint64_t seed) {
   options.costs = static_cast<CostKind>(random.below(7));
   options.sign = static_cast<SignKind>(random.below(3));
   options.plant = random.below(2) == 0;
-  Problem problem = random_problem(seed, options);
-  std::ostringstream text;
-  text << "seed " << seed << ": sizes";
-  for (const Index size : options.sizes) text << ' ' << size;
-  text << ", " << problem.num_arcs() << " arcs, " << kSignNames[static_cast<int>(options.sign)]
-       << ' ' << kCostNames[static_cast<int>(options.costs)] << " costs, singletons "
-       << kSingletonNames[static_cast<int>(options.singletons)]
-       << (options.plant ? ", planted" : "");
-  return {options, std::move(problem), text.str()};
+  return draw_case(seed, options);
+}
+
+RandomCase random_bounded_case(std::uint64_t seed) {
+  Random random(seed ^ 0x626f756e64ULL);
+  RandomProblemOptions options;
+  options.sizes.resize(2 + random.below(3));
+  for (Index& size : options.sizes) size = 1 + static_cast<Index>(random.below(3));
+  options.num_arcs = static_cast<int>(random.below(15));
+  options.dummy_share = 0.25 * static_cast<double>(random.below(3));
+  options.singletons = static_cast<SingletonKind>(random.below(4));
+  options.costs = static_cast<CostKind>(random.below(4));
+  options.sign = static_cast<SignKind>(random.below(3));
+  options.bounds_share = 0.5;
+  return draw_case(seed, options);
 }
 
 }  // namespace nda::support

@@ -35,7 +35,8 @@ struct RandomProblemOptions {
   SingletonKind singletons = SingletonKind::kFree;
   CostKind costs = CostKind::kDecimal;
   SignKind sign = SignKind::kNegative;
-  bool plant = false;  ///< make it feasible even when singletons are forbidden
+  bool plant = false;       ///< make it feasible even when singletons are forbidden
+  double bounds_share = 0;  ///< probability that an index has bounds of its own, 0..3 or unlimited
 };
 
 /// A random problem; the same seed and options give the same problem.
@@ -50,5 +51,9 @@ struct RandomCase {
 /// All options drawn at random: N = 2..6, sizes 1..5, 0..25 draws of arcs, every kind of cost and
 /// singleton. Of the cases with forbidden singletons about half are feasible.
 RandomCase random_case(std::uint64_t seed);
+
+/// The same with bounds on uses: N = 2..4, sizes 1..3, at most 14 draws of arcs, half of all
+/// indices with bounds of their own.  Some are infeasible.
+RandomCase random_bounded_case(std::uint64_t seed);
 
 }  // namespace nda::support

@@ -1,0 +1,209 @@
+#include "bounded/bounded_solver.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "bounded/bound.hpp"
+#include "bounded/branch_and_bound.hpp"
+#include "bounded/descent.hpp"
+#include "bounded/dual_function.hpp"
+#include "bounded/separable_dual.hpp"
+#include "dual/maximize.hpp"
+
+// Coordinate ascent is cheap and gives multipliers within some percent of the best; the linear
+// program starts from the columns that they find cheap.  In two dimensions one flow is the answer.
+
+namespace nda::bounded {
+namespace {
+
+using core::ArcId;
+
+constexpr int kSweeps = 10;
+// Above this the relaxation to two dimensions goes before the linear program.
+constexpr std::size_t kManyArcs = 200000;
+constexpr int kEvaluationsBeforeLp = 30;
+// A choice is recovered from the arcs of least reduced cost, so many per index.
+constexpr std::size_t kRecoveredArcsPerIndex = 12;
+
+}  // namespace
+
+BoundedSolver::BoundedSolver(const BoundedComponent& component,
+                             const Options& options,
+                             double margin,
+                             const core::Deadline& deadline,
+                             Moved moved)
+    : component_(component),
+      options_(options),
+      margin_(margin),
+      deadline_(deadline),
+      moved_(std::move(moved)) {
+  state_.best = make_choice(component, {});
+  state_.u.assign(component.rows.size(), 0.0);
+  clamp(component, state_.u);
+  state_.certificate = state_.lower = lagrangian_bound(component, state_.u);
+  state_.live_arcs = component.num_arcs();
+}
+
+void BoundedSolver::offer(const Choice& choice, const char* event) {
+  if (choice.cost >= state_.best.cost) return;
+  const double change = choice.cost - state_.best.cost;
+  state_.best = choice;
+  if (moved_) moved_(change, 0, event);
+}
+
+void BoundedSolver::start() {
+  if (deadline_.reached()) {
+    state_.stopped = out_of_time();
+    return;
+  }
+  const bool two_dimensional = component_.graph.num_dimensions() <= 2;
+  if (two_dimensional) {
+    assign();
+  } else {
+    ascend();
+    recover(state_.u, {});
+    const bool relaxes = options_.method == Method::kRelaxation ||
+                         (options_.method == Method::kAuto && component_.num_arcs() > kManyArcs);
+    if (state_.lower < state_.best.cost - margin_ && relaxes) relax();
+  }
+  close();
+  if (state_.complete) return;
+  state_.stopped = deadline_.reached() ? out_of_time() : Status::kIterationLimit;
+}
+
+void BoundedSolver::finish(double allowed_gap) {
+  if (state_.complete) return;
+  if (state_.best.cost - state_.lower <= allowed_gap) {
+    state_.stopped = Status::kGapReached;
+  } else if (deadline_.reached()) {
+    state_.stopped = out_of_time();
+  } else if (options_.method != Method::kRelaxation) {
+    branch(allowed_gap);
+  }
+}
+
+// All dimensions relaxed, from what the arcs of each index offer.
+void BoundedSolver::ascend() {
+  SeparableDual function(component_);
+  dual::MaximizeOptions limits;
+  limits.max_evaluations = kSweeps;
+  dual::MaximizeResult found = dual::maximize_coordinate(
+      function, state_.u, limits, [&](const dual::Iterate&) { return !deadline_.reached(); });
+  state_.evaluations += found.evaluations;
+  accept(std::move(found.point), "bound");
+}
+
+// Two dimensions are a flow, whose integral optimum is that of the relaxation.
+void BoundedSolver::assign() {
+  state_.method = "assignment";
+  DualFunction function(component_);
+  std::vector<double> nothing(function.num_variables());
+  function.evaluate(nothing, nothing);
+  ++state_.evaluations;
+  const std::span<const ArcId> arcs = function.chosen_arcs();
+  offer(make_choice(component_, {arcs.begin(), arcs.end()}), "assignment");
+  std::vector<double> u(component_.rows.size(), 0.0);
+  function.multipliers(u);
+  accept(std::move(u), "bound");
+}
+
+// The report's loop, sections 3 and 4: two sets kept, the others relaxed.
+void BoundedSolver::relax() {
+  DualFunction function(component_);
+  const RelaxationOptions& asked = options_.relaxation;
+  const bool is_last = options_.method == Method::kRelaxation;
+  dual::MaximizeOptions limits;
+  limits.max_evaluations =
+      is_last ? asked.max_evaluations : std::min(asked.max_evaluations, kEvaluationsBeforeLp);
+  limits.relative_tolerance = asked.relative_tolerance;
+  std::vector<double> u(component_.rows.size());
+  double best = -kInfinity;
+  const auto observe = [&](const dual::Iterate& iterate) {
+    ++state_.evaluations;
+    function.multipliers(u);
+    clamp(component_, u);
+    if (iterate.value > best) {
+      best = iterate.value;
+      accept(u, "bound");
+    }
+    if (iterate.evaluation % asked.recovery_interval == 0) recover(u, function.chosen_arcs());
+    return state_.lower < state_.best.cost - margin_ && !deadline_.reached();
+  };
+  const std::vector<double> start(state_.u.begin() + function.first_slot(), state_.u.end());
+  const DualMethod method = asked.dual_method == DualMethod::kCoordinate
+                                ? DualMethod::kBundleTrust  // which ascend() has done
+                                : asked.dual_method;
+  dual::maximize(method, function, start, limits, observe);
+  recover(state_.u, {});
+}
+
+// What the relaxed solution chooses comes first, then the arcs of low reduced cost.
+void BoundedSolver::recover(std::span<const double> u, std::span<const ArcId> preferred) {
+  ++state_.recoveries;
+  std::vector<std::pair<double, ArcId>> order;
+  for (ArcId a = 0; a < component_.num_arcs(); ++a)
+    order.emplace_back(core::reduced_cost(component_.graph, u, a), a);
+  const std::size_t count = std::min(order.size(), kRecoveredArcsPerIndex * component_.rows.size());
+  const auto end = order.begin() + static_cast<std::ptrdiff_t>(count);
+  std::partial_sort(order.begin(), end, order.end());
+  std::vector<ArcId> arcs(preferred.begin(), preferred.end());
+  std::for_each(order.begin(), end, [&](const auto& one) {
+    if (!std::binary_search(preferred.begin(), preferred.end(), one.second))
+      arcs.push_back(one.second);
+  });
+  offer(greedy_descent(component_, arcs, deadline_), "recovery");
+}
+
+void BoundedSolver::branch(double allowed_gap) {
+  state_.method = "branch and bound";
+  const SearchLimits limits{margin_, allowed_gap, options_.branch.max_nodes, deadline_};
+  const SearchNews news{[&](const Choice& choice) { offer(choice, "search"); },
+                        [&](double lower) { raise(lower, "bound"); }};
+  const SearchResult found = branch_and_bound(component_, state_.best, state_.u, limits, news);
+  state_.nodes += found.nodes;
+  state_.live_arcs = found.live_arcs;
+  accept(found.u, "bound");
+  raise(found.lower, "bound");
+  switch (found.end) {
+    case SearchEnd::kComplete:
+      state_.complete = true;
+      state_.stopped = Status::kOptimal;
+      break;
+    case SearchEnd::kGap:
+      state_.stopped = Status::kGapReached;
+      break;
+    case SearchEnd::kNodes:
+      state_.stopped = Status::kNodeLimit;
+      break;
+    case SearchEnd::kDeadline:
+      state_.stopped = out_of_time();
+      break;
+  }
+}
+
+void BoundedSolver::accept(std::vector<double> u, const char* event) {
+  clamp(component_, u);
+  const double certificate = lagrangian_bound(component_, u);
+  if (certificate <= state_.certificate) return;
+  state_.u = std::move(u);
+  state_.certificate = certificate;
+  raise(certificate, event);
+}
+
+void BoundedSolver::raise(double lower, const char* event) {
+  if (lower <= state_.lower) return;
+  const double change = lower - state_.lower;
+  state_.lower = lower;
+  if (moved_) moved_(0, change, event);
+}
+
+void BoundedSolver::close() {
+  state_.complete = state_.lower >= state_.best.cost - margin_;
+  if (state_.complete) state_.stopped = Status::kOptimal;
+}
+
+Status BoundedSolver::out_of_time() const {
+  return deadline_.interrupted() ? Status::kInterrupted : Status::kTimeLimit;
+}
+
+}  // namespace nda::bounded
