@@ -155,5 +155,18 @@ TEST(Partition, OptimaOfTheComponentsAddUpToTheOptimum) {
   }
 }
 
+TEST(Join, MakesOneComponentOfAllArcs) {
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    const core::Component component = support::random_component_of_any_kind(seed);
+    Partition whole = partition(component);
+    join(whole);
+    ASSERT_EQ(whole.num_components(), 1u);
+    EXPECT_EQ(whole.arcs, core::all_arcs(component));
+  }
+  Partition none;
+  join(none);
+  EXPECT_EQ(none.num_components(), 0u);
+}
+
 }  // namespace
 }  // namespace nda::decompose
