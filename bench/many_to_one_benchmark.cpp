@@ -45,6 +45,7 @@ std::unique_ptr<mip::ExternalSolver> find_cbc() {
 std::string seconds_or_gap(bool proven, double seconds, double cost, double bound) {
   char text[64];
   const double gap = 100 * (cost - bound) / std::abs(cost);
+  if (cost == kInfinity) return "no solution";
   if (proven)
     std::snprintf(text, sizeof text, "%.3f", seconds);
   else

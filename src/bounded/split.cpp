@@ -34,6 +34,7 @@ class Splitter {
     if (!split_.infeasible.empty() || deadline_.reached()) return std::move(split_);
     const core::Component graph = couple();
     const decompose::Partition parts = decompose::partition(graph, deadline_);
+    if (deadline_.reached()) return {};  // the partition may be cut short
     std::vector<ArcId> once;
     core::Cutter cutter;
     for (std::size_t p = 0; p < parts.num_components(); ++p) {

@@ -251,6 +251,21 @@ TEST(ManyToOneLimits, KeepsBothBoundsAtEveryLimit) {
   EXPECT_LT(relaxed.cost - relaxed.lower_bound, 0.2 * std::abs(best));
 }
 
+// Wherever the deadline strikes, splitting included.
+TEST(ManyToOneLimits, HoldsAtAnyDeadline) {
+  for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+    SCOPED_TRACE(seed);
+    const Problem problem = random_bounded_problem(seed, {.num_arcs = 10, .tight = true});
+    Options options;
+    options.time_limit_s = 1e-6 * static_cast<double>(1 + seed % 60);
+    const Solution solution = solve(problem, options);
+    const double optimum = best_of_all(problem).value_or(kInfinity);
+    EXPECT_LE(solution.lower_bound, optimum + 1e-9);
+    EXPECT_GE(solution.cost, optimum - 1e-9);
+    EXPECT_TRUE(check(problem, solution).passed());
+  }
+}
+
 TEST(ManyToOneLimits, StopsAtTheGap) {
   const Problem problem = medium(3, 100);
   Options options;
