@@ -88,8 +88,7 @@ using Choices = std::vector<std::pair<Index, Micro>>;
 class Hypotheses {
  public:
   Hypotheses(const MergedOptions& options, const std::vector<Scan>& scans)
-      : options_(options),
-        scans_(scans),
+      : scans_(scans),
         variance_(options.noise * options.noise + options.resolution * options.resolution / 4),
         gate_(-2 * natural_log(1 - options.gate_probability) * variance_),
         merge_(generate::to_micro(options.merge_penalty)),
@@ -138,7 +137,6 @@ class Hypotheses {
     }
   }
 
-  const MergedOptions& options_;
   const std::vector<Scan>& scans_;
   const double variance_;
   const double gate_;

@@ -223,6 +223,7 @@ std::optional<ExactSolution> brute_force(const Problem& problem) {
 }
 
 std::vector<ExactSolution> all_solutions(const Problem& problem, std::size_t limit) {
+  if (problem.is_many_to_one()) throw std::invalid_argument("bounds on uses");
   Enumeration enumeration(problem);
   std::vector<ExactSolution> solutions;
   for (const Leaf& leaf : enumeration.all(limit)) solutions.push_back(to_solution(leaf));

@@ -27,7 +27,8 @@ struct ExactSolution {
 std::optional<ExactSolution> brute_force(const Problem& problem);
 
 /// Every feasible solution, cheapest first (equal costs in any order), all bounds being 1..1.
-/// Throws std::length_error when there are more than `limit`.
+/// Throws std::length_error when there are more than `limit`, std::invalid_argument where an index
+/// has bounds of its own.
 std::vector<ExactSolution> all_solutions(const Problem& problem, std::size_t limit = 200000);
 
 /// The costs of all_solutions().
