@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -41,6 +42,12 @@ class Assign2dRanking {
   /// can still change within reach, and O(rows + columns) to write it down.  Memory grows with each
   /// by what can change, not by the problem.
   bool next(Assign2dResult& result);
+
+  /// From now on next() asks `stop` (null: nobody) every 50000 pairs or so that it looks at, and
+  /// throws Assign2dInterrupted when that answers true.  `result` is then left alone, nothing is
+  /// lost, and another call goes on: only the first solve begins anew.  Not asked within one search
+  /// for a cycle, nor while a tree of subsets is begun: each takes less than a solve.
+  void set_stop(const std::function<bool()>* stop);
 
  private:
   class Impl;

@@ -40,6 +40,9 @@ struct ExchangeGraph {
   const Exchange* exchanges;  ///< where `begin` and `end` count from
 
   std::uint32_t outside() const { return static_cast<std::uint32_t>(members.size()); }
+  std::size_t num_exchanges() const {
+    return members.empty() ? 0 : members.back().end - members.front().begin;
+  }
   std::span<const Exchange> of(std::uint32_t member) const {
     return {exchanges + members[member].begin, exchanges + members[member].end};
   }

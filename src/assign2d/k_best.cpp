@@ -1,3 +1,5 @@
+#include <functional>
+
 #include "assign2d/dense_input.hpp"
 #include "assign2d/ranking.hpp"
 #include "assign2d/shortest_path.hpp"
@@ -14,16 +16,24 @@ class Lister {
     return state_ == State::kFeasible && ranking_.next(result);
   }
 
+  void set_stop(const std::function<bool()>* stop) {
+    stop_ = stop;
+    ranking_.set_stop(stop);
+  }
+
  private:
   enum class State { kFresh, kFeasible, kInfeasible };
 
   void start(const Assign2dProblem& problem) {
     Assign2dResult best;
-    lap::ShortestPathSolver().solve(problem, best);
+    lap::ShortestPathSolver solver;
+    solver.set_stop(stop_);
+    solver.solve(problem, best);
     state_ = best.feasible ? State::kFeasible : State::kInfeasible;
     if (best.feasible) ranking_.start(problem, best);
   }
 
+  const std::function<bool()>* stop_ = nullptr;
   State state_ = State::kFresh;
   lap::Ranking ranking_;
 };
@@ -53,6 +63,8 @@ class Assign2dRanking::Impl {
         row_outside_(copy(problem.row_outside)),
         column_outside_(copy(problem.column_outside)) {}
 
+  void set_stop(const std::function<bool()>* stop) { lister_.set_stop(stop); }
+
   bool next(Assign2dResult& result) {
     return lister_.next({row_start_, column_, cost_, row_outside_, column_outside_}, result);
   }
@@ -74,6 +86,10 @@ Assign2dRanking& Assign2dRanking::operator=(Assign2dRanking&& other) noexcept = 
 
 bool Assign2dRanking::next(Assign2dResult& result) {
   return impl_->next(result);
+}
+
+void Assign2dRanking::set_stop(const std::function<bool()>* stop) {
+  impl_->set_stop(stop);
 }
 
 std::vector<Assign2dResult> assign2d_k_best(const Assign2dProblem& problem, std::size_t k) {

@@ -79,8 +79,10 @@ bool Ranking::next(Assign2dResult& result) {
   if (reach_ < 0) prepare();
   while (true) {
     while (queue_.empty()) {
+      stop_.spend(problem_.cost.size());
       if (!extend()) return false;
     }
+    stop_.spend(graph_of(queue_.front().node).num_exchanges());
     const Entry entry = take_first();
     if (!entry.is_solved) {
       solve(entry);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "assign2d/exchange_graph.hpp"
 #include "assign2d/listed_assignment.hpp"
 #include "assign2d/pair_pool.hpp"
+#include "assign2d/stop_check.hpp"
 #include "nda/assign2d.hpp"
 
 namespace nda::lap {
@@ -20,8 +22,11 @@ class Ranking {
   /// @param problem  must outlive the ranking.
   void start(const Assign2dProblem& problem, const Assign2dResult& best);
 
-  /// The one after the last; false, and `result` left alone, if there is none.
+  /// The one after the last; false, and `result` left alone, if there is none.  Where it throws
+  /// Assign2dInterrupted, the next call goes on.
   bool next(Assign2dResult& result);
+  /// Asked between two searches, and where another tree is begun.
+  void set_stop(const std::function<bool()>* stop) { stop_.set(stop); }
 
  private:
   // A subset with its best assignment.  The rest of the subset is divided into branches, one for
@@ -61,6 +66,7 @@ class Ranking {
   bool was_listed(std::uint32_t node);
 
   Assign2dProblem problem_;
+  StopCheck stop_;
   double noise_ = 0;  // losses cannot be told apart better than this
   bool is_fresh_ = true;
 

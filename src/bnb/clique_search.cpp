@@ -24,6 +24,11 @@
 // start from the arcs with the fewest open neighbours, counted anew at every node, and grow by
 // what gains much and leaves room to grow.
 //
+// For the k best it keeps a list, and once that is full the budget is what a packing must gain more
+// than the last of it.  Every packing comes once: by the last of its arcs among the branches.  Arcs
+// that gain nothing make another packing all the same.  They can be charged nothing; no set of them
+// beats a budget >= 0, and below 0 each that does is a branch.
+//
 // Gains are whole numbers, so nothing is rounded on the way and the order of sums does not matter.
 
 namespace nda::bnb {
@@ -48,48 +53,59 @@ class Units {
  public:
   explicit Units(const CliqueProblem& problem) {
     double total = 0;
-    for (std::uint32_t a = 0; a < problem.num_arcs(); ++a) total += problem.gain(a);
+    for (std::uint32_t a = 0; a < problem.num_arcs(); ++a) total += std::abs(problem.gain(a));
     if (!(total > 0)) return;
     constexpr double kLeast = std::numeric_limits<double>::denorm_min();
     unit_ = std::max(kLeast, std::ldexp(1.0, std::ilogb(total) + 1 - kGainExponent));
   }
+  // All gains are multiples of it, but for rounding.
+  explicit Units(double unit) : unit_(unit), rounds_up_(false) {}
 
-  Gain up(double gain) const { return static_cast<Gain>(std::ceil(gain / unit_)); }
-  // What a packing must gain more than; any gain may do below 0, none does beyond 2^62.
+  Gain gain(double gain) const {
+    return static_cast<Gain>(rounds_up_ ? std::ceil(gain / unit_) : std::round(gain / unit_));
+  }
+  // What a packing must gain more than; none does beyond 2^62.
   Gain target(double target) const {
     constexpr double kMost = 0x1p62;
-    return static_cast<Gain>(std::clamp(std::floor(target / unit_), -1.0, kMost));
+    return static_cast<Gain>(std::clamp(std::floor(target / unit_), -kMost, kMost));
   }
-  double gain(Gain units) const { return static_cast<double>(units) * unit_; }
+  double value(Gain units) const { return static_cast<double>(units) * unit_; }
 
  private:
   double unit_ = 1;
+  bool rounds_up_ = true;
 };
 
 template <std::size_t kWords>
 class CliqueSearch {
  public:
-  CliqueSearch(const CliqueProblem& problem, double target, const CliqueLimits& limits)
+  CliqueSearch(const CliqueProblem& problem,
+               std::size_t k,
+               double target,
+               const Units& units,
+               const CliqueLimits& limits)
       : limits_(limits),
-        units_(problem),
-        target_(target),
-        best_(units_.target(target)),
+        units_(units),
+        k_(k),
+        cutoff_(units_.target(target)),
         number_(problem.num_arcs()),
         neighbours_(problem.num_arcs()),
         rest_(problem.num_arcs(), 0) {
     link(problem);
   }
 
-  CliqueResult run() {
+  CliqueRanking run() {
     Set open;
     for (std::uint32_t a = 0; a < number_.size(); ++a) open.insert(a);
     explore(open, 0);
-    CliqueResult result;
-    for (const std::uint32_t a : best_arcs_) result.arcs.push_back(number_[a]);
-    std::sort(result.arcs.begin(), result.arcs.end());
+    CliqueRanking result;
+    for (const Found& found : found_) {
+      CliquePacking& packing = result.packings.emplace_back();
+      packing.gain = units_.value(found.gain);
+      for (const std::uint32_t a : found.arcs) packing.arcs.push_back(number_[a]);
+      std::sort(packing.arcs.begin(), packing.arcs.end());
+    }
     result.complete = !stopped_;
-    if (result.complete)
-      result.most = best_ > units_.target(target_) ? units_.gain(best_) : target_;
     result.nodes = nodes_;
     result.work = work_;
     return result;
@@ -97,6 +113,10 @@ class CliqueSearch {
 
  private:
   using Set = ArcSet<kWords>;
+  struct Found {
+    Gain gain;
+    std::vector<std::uint32_t> arcs;
+  };
 
   // Arcs with few neighbours get small numbers, which decide ties.
   void link(const CliqueProblem& problem) {
@@ -112,7 +132,7 @@ class CliqueSearch {
     }
     for (std::uint32_t i = 0; i < number_.size(); ++i) {
       by_number[number_[i]].for_each([&](std::uint32_t b) { neighbours_[i].insert(place[b]); });
-      gain_.push_back(units_.up(problem.gain(number_[i])));
+      gain_.push_back(units_.gain(problem.gain(number_[i])));
     }
   }
 
@@ -153,12 +173,9 @@ class CliqueSearch {
       stopped_ = true;
       return;
     }
-    if (gain > best_) {
-      best_ = gain;
-      best_arcs_ = chosen_;
-    }
+    if (gain > cutoff_) keep_chosen(gain);
     const std::size_t first = branches_.size();
-    list_branches(open, best_ - gain);
+    list_branches(open, cutoff_ - gain);
     for (std::size_t b = first; b < branches_.size(); ++b) open.erase(branches_[b]);
     const std::size_t end = branches_.size();
     for (std::size_t b = first; b < end && !stopped_; ++b) {
@@ -174,13 +191,23 @@ class CliqueSearch {
     branches_.resize(first);
   }
 
+  // Among the k best found, behind those that gain as much.
+  [[gnu::noinline]] void keep_chosen(Gain gain) {
+    const auto place = std::find_if(
+        found_.begin(), found_.end(), [&](const Found& found) { return found.gain < gain; });
+    found_.insert(place, {gain, chosen_});
+    if (found_.size() > k_) found_.pop_back();
+    if (found_.size() == k_) cutoff_ = found_.back().gain;
+  }
+
   // Those open arcs that a cover of cliques worth `budget` leaves over, fewest neighbours first.
   [[gnu::noinline]] void list_branches(const Set& open, Gain budget) {
     sort_by_degree(open);
     Set left = open;
-    bool paid = false;
+    bool paid = budget <= 0;
     for (std::size_t i = 0; i < order_.size(); ++i) {
       const std::uint32_t a = arc_at(i);
+      if (gain_[a] <= std::min<Gain>(0, budget)) continue;
       while (!paid && left.contains(a)) paid = charge(a, left, budget) || is_too_long();
       if (left.contains(a)) branches_.push_back(a);
     }
@@ -240,13 +267,13 @@ class CliqueSearch {
 
   const CliqueLimits& limits_;
   const Units units_;
-  const double target_;
-  Gain best_;                          // the target at first
+  const std::size_t k_;
+  Gain cutoff_;                        // the target at first
+  std::vector<Found> found_;           // greatest gain first
   std::vector<std::uint32_t> number_;  // of the problem's arcs, fewest neighbours first
   std::vector<Set> neighbours_;
   std::vector<Gain> gain_;
   std::vector<std::uint32_t> chosen_;
-  std::vector<std::uint32_t> best_arcs_;
   std::vector<std::uint32_t> branches_;  // of all nodes from the root to here
   // Of the node at hand.
   std::vector<std::uint32_t> order_;  // 2^16 * degree + arc, ascending
@@ -258,6 +285,20 @@ class CliqueSearch {
   double progress_ = 0;  // share of the root's branches that are done
   bool stopped_ = false;
 };
+
+CliqueRanking rank(const CliqueProblem& problem,
+                   std::size_t k,
+                   double target,
+                   const Units& units,
+                   const CliqueLimits& limits) {
+  const std::uint32_t arcs = problem.num_arcs();
+  if (arcs <= 64) return CliqueSearch<1>(problem, k, target, units, limits).run();
+  if (arcs <= 128) return CliqueSearch<2>(problem, k, target, units, limits).run();
+  if (arcs <= 256) return CliqueSearch<4>(problem, k, target, units, limits).run();
+  if (arcs <= 512) return CliqueSearch<8>(problem, k, target, units, limits).run();
+  if (arcs <= kMostCliqueArcs) return CliqueSearch<16>(problem, k, target, units, limits).run();
+  return {};
+}
 
 }  // namespace
 
@@ -271,13 +312,23 @@ void CliqueProblem::add_arc(double gain, std::span<const std::uint32_t> rows) {
 CliqueResult search_cliques(const CliqueProblem& problem,
                             double target,
                             const CliqueLimits& limits) {
-  const std::uint32_t arcs = problem.num_arcs();
-  if (arcs <= 64) return CliqueSearch<1>(problem, target, limits).run();
-  if (arcs <= 128) return CliqueSearch<2>(problem, target, limits).run();
-  if (arcs <= 256) return CliqueSearch<4>(problem, target, limits).run();
-  if (arcs <= 512) return CliqueSearch<8>(problem, target, limits).run();
-  if (arcs <= kMostCliqueArcs) return CliqueSearch<16>(problem, target, limits).run();
-  return {};
+  const Units units(problem);
+  CliqueRanking found = rank(problem, 1, std::max(target, -units.value(1)), units, limits);
+  CliqueResult result;
+  if (found.complete) result.most = found.packings.empty() ? target : found.packings.front().gain;
+  if (!found.packings.empty()) result.arcs = std::move(found.packings.front().arcs);
+  result.complete = found.complete;
+  result.nodes = found.nodes;
+  result.work = found.work;
+  return result;
+}
+
+CliqueRanking rank_cliques(const CliqueProblem& problem,
+                           std::size_t k,
+                           double target,
+                           double unit,
+                           const CliqueLimits& limits) {
+  return rank(problem, k, target, unit > 0 ? Units(unit) : Units(problem), limits);
 }
 
 }  // namespace nda::bnb

@@ -10,10 +10,10 @@
 
 namespace nda::bnb {
 
-/// Arcs that gain something, and the rows they use: no two arcs that share a row go together.
+/// Arcs and what they gain, and the rows they use: no two arcs that share a row go together.
 class CliqueProblem {
  public:
-  /// @param gain  > 0, finite.
+  /// @param gain  finite; > 0 where only the best packing counts.
   /// @param rows  numbered from 0, each once.
   void add_arc(double gain, std::span<const std::uint32_t> rows);
 
@@ -61,5 +61,29 @@ struct CliqueResult {
 CliqueResult search_cliques(const CliqueProblem& problem,
                             double target,
                             const CliqueLimits& limits);
+
+struct CliquePacking {
+  double gain = 0;
+  std::vector<std::uint32_t> arcs;  ///< ascending
+};
+
+struct CliqueRanking {
+  std::vector<CliquePacking> packings;  ///< greatest gain first, all different
+  bool complete = false;  ///< these are the k best that gain more than the target, or all of them
+  std::int64_t nodes = 0;
+  double work = 0;  ///< as limited
+};
+
+/// The k packings of greatest gain among those that gain more than `target`, the empty one counted
+/// with them, by the same search: it looks for what gains more than the k-th found so far.
+///
+/// @param k     >= 1.
+/// @param unit  what gains are multiples of but for rounding, which is then taken away; 0 = none.
+///              Their sum is less than 2^60 units.
+CliqueRanking rank_cliques(const CliqueProblem& problem,
+                           std::size_t k,
+                           double target,
+                           double unit,
+                           const CliqueLimits& limits);
 
 }  // namespace nda::bnb

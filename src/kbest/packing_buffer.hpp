@@ -15,12 +15,14 @@ class PackingBuffer {
   explicit PackingBuffer(std::size_t k) : k_(k) {}
 
   /// Keeps it if it is new and among the k best.  Its arcs ascend.  Cost: O(k), and its arcs for
-  /// every packing of the same cost.
-  void add(core::Packing packing);
+  /// every packing of the same cost.  Returns whether it did.
+  bool add(core::Packing packing);
 
   /// What a packing must cost less than to be kept; +inf as long as there are fewer than k.
   double cutoff() const { return packings_.size() < k_ ? kInfinity : packings_.back().cost; }
 
+  std::size_t capacity() const { return k_; }
+  const std::vector<core::Packing>& packings() const { return packings_; }
   std::vector<core::Packing> take() { return std::move(packings_); }
 
  private:

@@ -4,11 +4,23 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 #include <utility>
 
+#include "kbest/clique_ranking.hpp"
+#include "kbest/nearby_packings.hpp"
 #include "kbest/slack_ranking.hpp"
 #include "kbest/tighter_slack.hpp"
 #include "solve/component_solver.hpp"
+
+// One search within the slack ends most parts.  Where it does not, three ways have their turn with
+// patience that grows, since nobody can tell beforehand which is short: covers by cliques, which do
+// not mind a wide gap; a tighter slack, in steps of the reach; and, once that took long, a look at
+// neighbourhoods of the packings known, since less reach means much less to look for.
+//
+// Whatever is known and costs no more than anything that is not listed is among the best.  On a
+// grid of costs that saves whole searches: within the step below, all are listed; of those at the
+// next point it takes only as many as are missing, whoever found them.
 
 namespace nda::kbest {
 
@@ -27,6 +39,11 @@ constexpr double kTrialWork = 3e5;         // before a tighter slack is looked f
 constexpr double kTrialWorkPerRank = 1e5;
 constexpr double kShortTrialWork = 5e4;
 constexpr double kTrialWorkPerArc = 200;  // tightening takes as long
+constexpr double kMorePatience = 16;      // from one search that was stopped to the next
+constexpr double kCliqueShare = 1.0 / 4;  // of the patience
+constexpr int kMostRounds = 60;           // of cuts
+constexpr int kFirstRounds = 8;           // where covers by cliques may do without
+constexpr double kLooseReach = 1.25;      // times what is wanted: worth tightening anew
 
 }  // namespace
 
@@ -34,8 +51,11 @@ double beyond(double slack, double error) {
   return slack + kRounding * slack + 4 * error + std::numeric_limits<double>::min();
 }
 
-Part::Part(core::Component component, const SlackView& view, double grid)
-    : component_(std::move(component)), grid_(grid) {
+Part::Part(core::Component component,
+           const SlackView& view,
+           double grid,
+           const PartPatience& patience)
+    : component_(std::move(component)), grid_(grid), patience_(patience) {
   std::vector<double> price(component_.num_slots(), 0.0);
   core::for_each_index(component_, [&](std::uint32_t s, std::size_t k, Index i) {
     price[s] = view.price(view.slot(k, i));
@@ -75,28 +95,47 @@ bool Part::is_ranked(double reach, std::size_t k) const {
   return listed_k_ > 0 && (k <= list_.size() || (list_.size() < listed_k_ && reach < reached_));
 }
 
-void Part::keep(Found found, std::size_t k) {
-  listed_k_ = k;
-  reached_ = found.reached;
-  list_ = std::move(found.list);
-}
-
 const Part::Form& Part::form(double reach) const {
   return tight_ && reach < tight_->reach ? *tight_ : first_;
 }
 
-// For a reach somewhat larger, unless that is done or there is nothing to gain.
-void Part::tighten(double reach, const core::Deadline& deadline) {
-  if (first_.least <= beyond(0, first_.error) || (tight_ && reach < tight_->reach)) return;
-  Form tighter;
-  tighter.reach = kTightReach * beyond(reach, first_.error);
+// For a reach somewhat larger, unless that is done or there is nothing to gain.  More cuts than
+// before only where more rounds are allowed.
+void Part::tighten(double reach, int max_rounds, const core::Deadline& deadline) {
+  const double wanted = kTightReach * beyond(reach, first_.error);
+  if (first_.least <= beyond(0, first_.error)) return;
+  const bool is_close = tight_ && reach < tight_->reach && tight_->reach < kLooseReach * wanted;
+  if (is_close && max_rounds <= tight_rounds_) return;
   std::optional<bnb::ComponentSlack> slack =
-      tighter_slack(component_, first_.slack.problem, best_, tighter.reach, deadline);
+      tighter_slack(component_, first_.slack.problem, best_, wanted, max_rounds, deadline);
   if (!slack) return;
+  Form tighter;
+  tighter.reach = wanted;
   tighter.slack = std::move(*slack);
   finish(tighter);
+  tight_rounds_ = max_rounds;
   if (tighter.least < first_.least) tight_ = std::move(tighter);
 }
+
+// What it is about, and what it did so far.
+struct Part::Run {
+  double reach;
+  std::size_t k;
+  const bnb::SlackLimits& limits;
+  Combinations& combinations;
+  std::int64_t& nodes;
+  std::int64_t most_nodes;
+  double work = 0;            // of all searches
+  double work_at_nearby = 0;  // when it looked nearby last
+  double within = -1;         // of the last search that was complete
+  bool has_begun = false;     // with what is known
+
+  bool is_done() const { return within >= reach; }
+  bool is_stopped() const { return nodes >= most_nodes || limits.deadline.reached(); }
+  bnb::SlackLimits limits_of(double max_work) const {
+    return {most_nodes - nodes, std::min(limits.max_work, max_work), limits.deadline};
+  }
+};
 
 bool Part::rank(double reach,
                 std::size_t k,
@@ -104,36 +143,130 @@ bool Part::rank(double reach,
                 Combinations& combinations,
                 std::int64_t& nodes) {
   if (is_ranked(reach, k)) return true;
-  const std::int64_t before = nodes;
-  bnb::SlackLimits search = limits;
-  double most = reach;
-  const auto rank_within = [&](double within) {
-    Found found = this->search(form(within), within, k, search, combinations);
-    nodes += found.nodes;
-    search.max_nodes = limits.max_nodes - (nodes - before);
-    if (found.list.size() == k) most = std::min(most, found.list.back().slack);
-    if (found.complete) keep(std::move(found), k);
-    return found.complete;
-  };
+  Run run{reach, k, limits, combinations, nodes, nodes + limits.max_nodes};
   // Where the best solution has more slack than there is reach, a tighter one pays soon.
-  const double trial = first_.least < reach
-                           ? kTrialWork + kTrialWorkPerRank * static_cast<double>(k)
-                           : kShortTrialWork;
-  const double per_arc = kTrialWorkPerArc * static_cast<double>(component_.num_arcs());
-  search.max_work = std::min(limits.max_work, trial + per_arc);
-  if (rank_within(reach)) return true;
-  search.max_work = limits.max_work;
-  // As many as are found bound the last of the best, whatever else there is.
-  double within = useful(std::max(kFirstShare * most, kShareOfLeast * first_.least), most);
-  while (!is_ranked(reach, k)) {
-    if (search.max_nodes <= 0 || limits.deadline.reached()) return false;
-    tighten(within, limits.deadline);
-    if (!is_ranked(within, k) && !rank_within(within)) return false;
-    if (!(within < reach)) return true;
-    // Beyond what bounds the last of them lies nothing but what rounding put there.
-    within = useful(std::max(kStep * within, reached_), within < most ? most : reach);
+  const auto num_arcs = static_cast<double>(component_.num_arcs());
+  const double trial =
+      kTrialWorkPerArc * num_arcs + (first_.least < reach
+                                         ? kTrialWork + kTrialWorkPerRank * static_cast<double>(k)
+                                         : kShortTrialWork);
+  if (take(run, rank_slacks(run, first_, reach, patience_.trial * trial), reach)) return true;
+  const bool may_cover = may_rank_cliques(first_.slack.problem);
+  NearbyPackings nearby(first_.slack.problem);
+  int rounds = may_cover ? kFirstRounds : kMostRounds;
+  double work = patience_.search + patience_.search_per_arc * num_arcs;
+  while (!run.is_done() && !is_ranked(reach, k)) {
+    if (run.is_stopped()) return false;
+    look_nearby(run, nearby);
+    settle(run);
+    if (is_ranked(reach, k)) break;
+    const double most = most_within(run);
+    if (may_cover && take(run, rank_by_cliques(run, most, kCliqueShare * work), most)) continue;
+    const double within = next_within(run);
+    tighten(within, rounds, limits.deadline);
+    if (take(run, rank_slacks(run, form(within), within, work), within)) continue;
+    if (work > limits.max_work) return false;
+    work *= kMorePatience;
+    rounds = kMostRounds;
   }
   return true;
+}
+
+// Returns whether the search came to an end; keeps what it found.
+bool Part::take(Run& run, Found found, double within) {
+  run.nodes += found.nodes;
+  run.work += found.work;
+  if (!found.complete) {
+    if (!std::exchange(run.has_begun, true)) begin(run);
+    know_all(found.list, run.combinations);
+    return false;
+  }
+  run.within = within;
+  listed_k_ = run.k;
+  reached_ = found.reached;
+  list_ = std::move(found.list);
+  return true;
+}
+
+// For what would make the next search shorter, or needless, after searches that took long.
+void Part::look_nearby(Run& run, NearbyPackings& nearby) {
+  const double work = run.work - run.work_at_nearby;
+  if (work < patience_.nearby) return;
+  run.work_at_nearby = run.work;
+  know_all(list_, run.combinations);
+  const double budget = beyond(first_.least + next_within(run), first_.error);
+  run.nodes += nearby.search(*known_, budget, first_.least + settled(), run.limits_of(work));
+}
+
+// With what was known before, as many as are wanted now.
+void Part::begin(const Run& run) {
+  std::vector<core::Packing> before;
+  if (known_) before = known_->take();
+  known_.emplace(run.k);
+  know(core::positions_in(first_.slack.arcs, best_));
+  for (core::Packing& packing : before) known_->add(std::move(packing));
+  know_all(list_, run.combinations);
+}
+
+void Part::know(std::vector<ArcId> arcs) {
+  const double slack = slack_of_packing(first_.slack.problem, arcs);
+  known_->add({std::move(arcs), slack});
+}
+
+void Part::know_all(const RankedList& list, const Combinations& combinations) {
+  for (const Ranked& ranked : list) {
+    const std::vector<ArcId> arcs =
+        core::arcs_from_original(component_, combinations.arcs(ranked.arcs));
+    know(core::positions_in(first_.slack.arcs, arcs));
+  }
+}
+
+// What costs so much more than the best solution is no better than anything that is not listed.
+double Part::settled() const {
+  return reached_ + 2 * kGridErrors * first_.error;
+}
+
+// Lists what is known and settled.
+void Part::settle(Run& run) {
+  std::set<std::vector<ArcId>> listed;
+  const auto ascending = [](std::vector<ArcId> arcs) {
+    std::sort(arcs.begin(), arcs.end());
+    return arcs;
+  };
+  for (const Ranked& ranked : list_) listed.insert(ascending(run.combinations.arcs(ranked.arcs)));
+  for (const core::Packing& packing : known_->packings()) {
+    const double rise = packing.cost - first_.least;
+    if (list_.size() >= run.k || rise > settled()) break;
+    std::vector<ArcId> arcs;
+    Combination combination = kNothing;
+    for (const ArcId a : packing.arcs) {
+      arcs.push_back(core::original_arc(component_, first_.slack.arcs[a]));
+      combination = run.combinations.join(combination, run.combinations.single(arcs.back()));
+    }
+    if (listed.insert(ascending(std::move(arcs))).second) list_.push_back({rise, combination});
+  }
+  std::ranges::stable_sort(list_, {}, &Ranked::slack);
+  listed_k_ = std::max(listed_k_, run.k);
+}
+
+// As many as are known bound the last of the best, whatever else there is.  Beyond that lies
+// nothing but what rounding put there.
+double Part::most_within(const Run& run) const {
+  const double most = std::min(run.reach, known_->cutoff() - first_.least);
+  return run.within < most ? most : run.reach;
+}
+
+double Part::next_within(const Run& run) const {
+  double most = most_within(run);
+  if (most < run.reach) most = std::max(most - margin(first_.error), reached_);
+  const double first = std::max(kFirstShare * most, kShareOfLeast * first_.least);
+  return useful(std::max({first, kStep * std::max(0.0, run.within), reached_}), most);
+}
+
+// What a packing that is better at all is better by: nearly a step of the grid.
+double Part::margin(double error) const {
+  const double tolerance = kGridErrors * std::max(error, first_.error);
+  return tolerance < kGridTolerance * grid_ ? grid_ - 4 * tolerance : 0;
 }
 
 // What packings that cost so much more than the best cost more at least: costs lie on a grid.
@@ -152,12 +285,34 @@ double Part::useful(double within, double most) const {
   return std::min(within, most);
 }
 
+Part::Found Part::rank_slacks(const Run& run,
+                              const Form& form,
+                              double reach,
+                              double max_work) const {
+  const auto rank = [&](const bnb::SlackProblem& problem, double budget, const auto& names) {
+    return rank_slack(problem,
+                      budget,
+                      run.k,
+                      run.limits_of(max_work),
+                      names,
+                      run.combinations,
+                      margin(form.error));
+  };
+  return search(form, reach, run.k, rank);
+}
+
+Part::Found Part::rank_by_cliques(const Run& run, double reach, double max_work) const {
+  const double step = margin(first_.error) > 0 ? grid_ : 0;
+  const auto rank = [&](const bnb::SlackProblem& problem, double budget, const auto& names) {
+    return rank_cliques(
+        problem, budget, run.k, step, run.limits_of(max_work), names, run.combinations);
+  };
+  return search(first_, reach, run.k, rank);
+}
+
 // Over the arcs within the budget; the others are left out.
-Part::Found Part::search(const Form& form,
-                         double reach,
-                         std::size_t k,
-                         const bnb::SlackLimits& limits,
-                         Combinations& combinations) const {
+template <typename Rank>
+Part::Found Part::search(const Form& form, double reach, std::size_t k, Rank&& rank) const {
   const bnb::SlackProblem& slack = form.slack.problem;
   const double budget = beyond(form.least + reach, form.error);
   bnb::SlackProblem problem(slack.num_indices());
@@ -173,7 +328,7 @@ Part::Found Part::search(const Form& form,
       next = std::min(next, slack.reduced(a));
     }
   }
-  SlackRanking ranking = rank_slack(problem, budget, k, limits, names, combinations);
+  SlackRanking ranking = rank(problem, budget, names);
   next = std::min(next, ranking.next);
   if (ranking.packings.size() == k) next = ranking.packings.back().slack;
   for (Ranked& ranked : ranking.packings) ranked.slack -= form.least;
@@ -181,7 +336,8 @@ Part::Found Part::search(const Form& form,
   return {std::move(ranking.packings),
           on_grid(next - rounding - form.least),
           ranking.complete,
-          ranking.nodes};
+          ranking.nodes,
+          ranking.work};
 }
 
 }  // namespace nda::kbest

@@ -11,9 +11,20 @@
 #include "core/clock.hpp"
 #include "core/component.hpp"
 #include "kbest/combinations.hpp"
+#include "kbest/nearby_packings.hpp"
+#include "kbest/packing_buffer.hpp"
 #include "kbest/slack_view.hpp"
 
 namespace nda::kbest {
+
+/// Work of searches (bnb::SlackLimits) before another way is tried.  It decides what is tried, not
+/// what is true.
+struct PartPatience {
+  double trial = 1;     ///< times the usual for a search by the multipliers at hand
+  double search = 4e6;  ///< for the first search that is no trial
+  double search_per_arc = 1e3;
+  double nearby = 4e6;  ///< of searches after which looking nearby pays
+};
 
 /// A part of a problem that shares no index with the rest, with the slack of its arcs and indices,
 /// what the best solution has of it, and its packings as far as they were ranked.
@@ -21,7 +32,10 @@ class Part {
  public:
   /// @param component  cut out of the problem of `view`, which has the prices.
   /// @param grid       spacing of the costs (core::CostGrid), 0 if there is none.
-  Part(core::Component component, const SlackView& view, double grid);
+  Part(core::Component component,
+       const SlackView& view,
+       double grid,
+       const PartPatience& patience = {});
 
   /// Of the problem, ascending.
   std::span<const core::ArcId> arcs() const { return component_.arc_origin; }
@@ -53,28 +67,42 @@ class Part {
     double reached;
     bool complete;
     std::int64_t nodes;
+    double work;
   };
+
+  struct Run;  // a call of rank()
 
   void finish(Form& form) const;
   bool is_ranked(double reach, std::size_t k) const;
   const Form& form(double reach) const;
-  void tighten(double reach, const core::Deadline& deadline);
-  void keep(Found found, std::size_t k);
-  Found search(const Form& form,
-               double reach,
-               std::size_t k,
-               const bnb::SlackLimits& limits,
-               Combinations& combinations) const;
+  void tighten(double reach, int max_rounds, const core::Deadline& deadline);
+  bool take(Run& run, Found found, double within);
+  void look_nearby(Run& run, NearbyPackings& nearby);
+  void begin(const Run& run);
+  void know(std::vector<core::ArcId> arcs);
+  void know_all(const RankedList& list, const Combinations& combinations);
+  double settled() const;
+  void settle(Run& run);
+  double most_within(const Run& run) const;
+  double next_within(const Run& run) const;
+  Found rank_slacks(const Run& run, const Form& form, double reach, double max_work) const;
+  Found rank_by_cliques(const Run& run, double reach, double max_work) const;
+  template <typename Rank>
+  Found search(const Form& form, double reach, std::size_t k, Rank&& rank) const;
 
+  double margin(double error) const;
   double on_grid(double rise) const;
   double useful(double within, double most) const;
 
   core::Component component_;
   double grid_;
-  std::vector<core::ArcId> best_;  // arcs of the best solution
-  double largest_ = 0;             // cost or multiplier, in size
-  Form first_;                     // by the multipliers of the best solution
-  std::optional<Form> tight_;      // where that led to long searches
+  PartPatience patience_;
+  std::vector<core::ArcId> best_;       // arcs of the best solution
+  double largest_ = 0;                  // cost or multiplier, in size
+  Form first_;                          // by the multipliers of the best solution
+  std::optional<Form> tight_;           // where that led to long searches
+  int tight_rounds_ = 0;                // of cuts that it was allowed
+  std::optional<PackingBuffer> known_;  // of first_: packings, whether listed or not
   RankedList list_;
   std::size_t listed_k_ = 0;  // of how many the list is
   double reached_ = 0;

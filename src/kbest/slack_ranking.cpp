@@ -42,9 +42,11 @@ class Search {
          std::size_t k,
          const bnb::SlackLimits& limits,
          std::span<const std::uint32_t> names,
-         Combinations& combinations)
+         Combinations& combinations,
+         double margin)
       : problem_(problem),
         k_(k),
+        margin_(margin),
         names_(names),
         combinations_(combinations),
         moves_(problem, budget, limits, bnb::FreeRows::kKeep) {}
@@ -55,6 +57,7 @@ class Search {
     result.packings = solve(0, budget);
     result.complete = !moves_.stopped();
     result.nodes = moves_.nodes();
+    result.work = moves_.work();
     result.next = budget + moves_.excess();
     return result;
   }
@@ -62,7 +65,7 @@ class Search {
  private:
   // What a list may still take.
   double limit(const RankedList& list, double budget) const {
-    return list.size() < k_ ? budget : std::min(budget, list.back().slack);
+    return list.size() < k_ ? budget : std::min(budget, list.back().slack - margin_);
   }
 
   // Whether anything is left of a budget; else what wanted it is left out.
@@ -142,6 +145,7 @@ class Search {
 
   const bnb::SlackProblem& problem_;
   const std::size_t k_;
+  const double margin_;
   const std::span<const std::uint32_t> names_;
   Combinations& combinations_;
   SlackMoves moves_;
@@ -155,8 +159,9 @@ SlackRanking rank_slack(const bnb::SlackProblem& problem,
                         std::size_t k,
                         const bnb::SlackLimits& limits,
                         std::span<const std::uint32_t> names,
-                        Combinations& combinations) {
-  return Search(problem, budget, k, limits, names, combinations).run(budget);
+                        Combinations& combinations,
+                        double margin) {
+  return Search(problem, budget, k, limits, names, combinations, margin).run(budget);
 }
 
 }  // namespace nda::kbest

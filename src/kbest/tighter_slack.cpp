@@ -18,7 +18,6 @@ using core::ArcId;
 
 namespace {
 
-constexpr int kMostRounds = 60;
 constexpr double kWorthwhile = 0.01;  // share of the slack that a round takes away
 
 // Every arc refunds the prices of what it uses.
@@ -47,6 +46,7 @@ std::optional<bnb::ComponentSlack> tighter_slack(const core::Component& componen
                                                  const bnb::SlackProblem& slack,
                                                  std::span<const ArcId> best,
                                                  double reach,
+                                                 int max_rounds,
                                                  const core::Deadline& deadline) {
   const core::Component refunding = with_refunds(component, slack);
   cutting::Master master(refunding, core::all_arcs(refunding), multipliers_of(slack));
@@ -56,7 +56,7 @@ std::optional<bnb::ComponentSlack> tighter_slack(const core::Component& componen
   const double cost = core::make_packing(refunding, {best.begin(), best.end()}).cost;
   cutting::CutLoopOptions loop;
   loop.cutoff = cost + reach;
-  loop.max_rounds = kMostRounds;
+  loop.max_rounds = max_rounds;
   loop.worthwhile = kWorthwhile;
   loop.deadline = deadline;
   // What leaves the best packing no slack cannot be improved.

@@ -19,6 +19,7 @@ namespace nda::kbest {
 /// @param best       a packing of least slack.
 /// @param reach      arcs that are in no packing whose slack exceeds that of `best` by less may be
 ///                   missing.
+/// @param max_rounds of cuts, at most.
 /// @return           rows are slots, then cuts; nothing where the deadline strikes, or the linear
 /// program fails.
 ///
@@ -27,6 +28,7 @@ std::optional<bnb::ComponentSlack> tighter_slack(const core::Component& componen
                                                  const bnb::SlackProblem& slack,
                                                  std::span<const core::ArcId> best,
                                                  double reach,
+                                                 int max_rounds,
                                                  const core::Deadline& deadline);
 
 }  // namespace nda::kbest

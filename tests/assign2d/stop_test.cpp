@@ -6,6 +6,7 @@
 
 #include "core/random.hpp"
 #include "nda/assign2d.hpp"
+#include "nda/assign2d_k_best.hpp"
 
 namespace nda {
 namespace {
@@ -58,6 +59,47 @@ TEST(SetStop, GivesUpAndLeavesTheSolverAndTheResultUsable) {
       EXPECT_NEAR(result.cost, optimum, 1e-6);
     }
   }
+}
+
+// Every interruption is followed by another call, which goes on.
+TEST(SetStop, LosesNothingOfARanking) {
+  constexpr std::size_t kRanks = 400;
+  const Market market(0.1);
+  std::vector<double> costs;
+  Assign2dRanking whole(market.view());
+  for (Assign2dResult result; costs.size() < kRanks && whole.next(result);)
+    costs.push_back(result.cost);
+  ASSERT_EQ(costs.size(), kRanks);
+
+  int asked = 0;
+  const std::function<bool()> stop = [&] { return asked++ % 2 == 0; };
+  Assign2dRanking ranking(market.view());
+  Assign2dResult result;
+  ASSERT_TRUE(ranking.next(result));
+  ranking.set_stop(&stop);
+  int interruptions = 0;
+  for (std::size_t r = 1; r < kRanks;) {
+    try {
+      ASSERT_TRUE(ranking.next(result));
+      EXPECT_EQ(result.cost, costs[r++]);
+    } catch (const Assign2dInterrupted&) {
+      EXPECT_EQ(result.cost, costs[r - 1]);
+      ++interruptions;
+    }
+  }
+  EXPECT_GT(interruptions, 0);
+}
+
+TEST(SetStop, ReachesTheFirstSolveOfARanking) {
+  const Market market(0.1);
+  const std::function<bool()> stop = [] { return true; };
+  Assign2dRanking ranking(market.view());
+  ranking.set_stop(&stop);
+  Assign2dResult result;
+  EXPECT_THROW(ranking.next(result), Assign2dInterrupted);
+  ranking.set_stop(nullptr);
+  ASSERT_TRUE(ranking.next(result));
+  EXPECT_NEAR(result.cost, assign2d(market.view()).cost, 1e-6);
 }
 
 TEST(SetStop, ThatSaysGoOnChangesNothing) {

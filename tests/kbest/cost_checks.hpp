@@ -23,20 +23,26 @@ inline std::optional<std::vector<double>> all_costs(const Problem& problem) {
   }
 }
 
-/// The k first of all, or all, no more than rounding apart for sums of costs of that size.
-inline void expect_costs(const Problem& problem,
-                         const std::vector<double>& all,
-                         std::size_t k,
-                         const std::vector<double>& costs) {
-  ASSERT_EQ(costs.size(), std::min(k, all.size()));
+/// What sums of costs of a problem may be apart by rounding.
+inline double cost_tolerance(const Problem& problem) {
   double size = 0;
   for (const double cost : problem.costs()) size += std::abs(cost);
   for (int d = 0; d < problem.num_dimensions(); ++d) {
     for (const double cost : problem.singleton_costs(d))
       size += cost < kInfinity ? std::abs(cost) : 0;
   }
+  return 1e-9 * size;
+}
+
+/// The k first of all, or all, no more than rounding apart.
+inline void expect_costs(const Problem& problem,
+                         const std::vector<double>& all,
+                         std::size_t k,
+                         const std::vector<double>& costs) {
+  ASSERT_EQ(costs.size(), std::min(k, all.size()));
+  const double tolerance = cost_tolerance(problem);
   for (std::size_t r = 0; r < costs.size(); ++r)
-    EXPECT_NEAR(costs[r], all[r], 1e-9 * size) << "rank " << r + 1;
+    EXPECT_NEAR(costs[r], all[r], tolerance) << "rank " << r + 1;
 }
 
 }  // namespace nda

@@ -74,7 +74,7 @@ TEST(TighterSlack, KeepsWhatPackingsWithinReachDifferBy) {
         });
     if (!(slack(best) < kInfinity)) continue;
     const double reach = static_cast<double>(random.below(8)) + 0.5;
-    const auto after = tighter_slack(component, before.problem, best, reach, {});
+    const auto after = tighter_slack(component, before.problem, best, reach, 60, {});
     ASSERT_TRUE(after);
     cuts += after->problem.num_rows() > after->problem.num_indices();
     const auto tight = [&](const std::vector<ArcId>& arcs) {
