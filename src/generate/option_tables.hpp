@@ -117,7 +117,11 @@ struct OptionTable<TrackingOptions> {
              0,
              kMostDetections,
              "length of the scenario that the window is cut out of; 0 = scans"},
-      Option{"first_scan", &O::first_scan, 0, kMostDetections, "of the window in the scenario, from 0"},
+      Option{"first_scan",
+             &O::first_scan,
+             0,
+             kMostDetections,
+             "of the window in the scenario, from 0"},
   };
   static constexpr std::tuple kGroupRows{
       Option{"group_size", &O::group_size, 0, kMostDetections, "targets per group; 0 = none"},

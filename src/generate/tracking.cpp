@@ -46,15 +46,11 @@ void validate(const TrackingOptions& options) {
                            0,
                            generate::kMostDetections);
   if (options.scenario_scans > 0) {
-    generate::require_within("scenario_scans",
-                             options.scenario_scans,
-                             options.scans,
-                             generate::kMostDetections);
+    generate::require_within(
+        "scenario_scans", options.scenario_scans, options.scans, generate::kMostDetections);
   }
-  generate::require_within("first_scan",
-                           options.first_scan,
-                           0,
-                           generate::scenario_scans(options) - options.scans);
+  generate::require_within(
+      "first_scan", options.first_scan, 0, generate::scenario_scans(options) - options.scans);
   generate::require_within("scenario_scans times targets and clutter",
                            generate::scenario_scans(options) * (options.targets + options.clutter),
                            0,
