@@ -68,7 +68,6 @@ void Ascent::move(std::size_t k) {
 }
 
 void Ascent::repair() {
-  core::reduced_costs(component_, u_, 0, r_);
   std::vector<ArcId> violated;
   for (ArcId a = 0; a < r_.size(); ++a) {
     if (r_[a] < 0) violated.push_back(a);
