@@ -139,14 +139,20 @@ Instance generate_merged(const MergedOptions& options = {});
 /// negative log likelihood ratio against false alarms (docs/families.md gives the formulas).  Time
 /// unit: one scan. Singletons are free.  Detections of a scan are numbered by x.
 ///
-/// Lengths and speeds are at most 10^9, scans * (targets + clutter) at most 10^7, and max_misses
+/// Windows of one scenario, which differ in first_scan alone, see the same detections by the same
+/// indices where they overlap; in each, hypotheses are made and scored as if it were all there is.
+///
+/// Lengths and speeds are at most 10^9, scans * (targets + clutter) at most 10^7, that of the
+/// scenario too, and max_misses
 /// must allow at most 10^5 patterns of misses in so many scans.  Throws InputError too where more
 /// than 2 * 10^6 hypotheses start with one detection.
 struct TrackingOptions {
-  int scans = 4;                       ///< N
-  int targets = 20;                    ///< all there in every scan; >= 1
-  double side = 600;                   ///< L, side of the square; >= 1e-6
-  double clutter = 10;                 ///< expected false alarms per scan; >= 1e-6
+  int scans = 4;           ///< N
+  int scenario_scans = 0;  ///< the window is cut out of a scenario of so many scans; 0 = `scans`
+  int first_scan = 0;      ///< of the window; it and `scans` must lie within the scenario
+  int targets = 20;        ///< all there in every scan; >= 1
+  double side = 600;       ///< L, side of the square; >= 1e-6
+  double clutter = 10;     ///< expected false alarms per scan; >= 1e-6
   double detection_probability = 0.9;  ///< in [1e-6, 0.999999]
   double noise = 10;                   ///< sigma of a measured coordinate; >= 1e-6
   double max_speed = 40;               ///< velocities are uniform in a disc of this radius; >= 0
@@ -154,9 +160,10 @@ struct TrackingOptions {
   double gate_probability = 0.999;     ///< in [1e-6, 0.999999]
   int max_misses = 2;                  ///< in a row; 0..64
   int group_size = 0;                  ///< targets per group; 0 = no groups
-  double group_spread = 20;            ///< standard deviation of a member's position at mid-window
-  double velocity_spread = 15;         ///< standard deviation of a member's velocity
-  int cap = 0;                         ///< best hypotheses kept per starting detection; 0 = all
+  double group_spread =
+      20;  ///< standard deviation of a member's position at the middle of the scenario
+  double velocity_spread = 15;  ///< standard deviation of a member's velocity
+  int cap = 0;                  ///< best hypotheses kept per starting detection; 0 = all
   std::uint64_t seed = 1;
 };
 Instance generate_tracking(const TrackingOptions& options = {});

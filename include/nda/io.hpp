@@ -9,6 +9,7 @@
 #include "nda/problem.hpp"
 #include "nda/proof.hpp"
 #include "nda/solution.hpp"
+#include "nda/warm_start.hpp"
 
 // Files: problems in, problems and solutions out.  The formats are described in
 // docs/file_formats.md.
@@ -94,6 +95,21 @@ Solution read_solution(const std::string& path);
 
 /// The same from text.
 Solution solution_from_json(std::string_view text);
+
+/// Writes a warm start as JSON ("format": "nda-warm-start", "version": 1); as write_problem for
+/// paths. Throws InputError where a multiplier is not finite.
+void write_warm_start(const WarmStart& warm_start, const std::string& path);
+
+/// The same text: a line for every dimension and every tuple.
+std::string warm_start_to_json(const WarmStart& warm_start);
+
+/// Reads a warm start, plain or gzip-compressed, from a file or from standard input ("-").  Every
+/// field must be there with its type and every multiplier be finite; the message names the faulty
+/// one.  Whether it fits a problem is not judged: solve() ignores what does not.
+WarmStart read_warm_start(const std::string& path);
+
+/// The same from text.
+WarmStart warm_start_from_json(std::string_view text);
 
 /// Writes a proof, see docs/proofs.md; as write_problem for paths.
 void write_proof(const Proof& proof, const std::string& path);

@@ -17,3 +17,4 @@
 #include "nda/solve.hpp"
 #include "nda/types.hpp"
 #include "nda/version.hpp"
+#include "nda/warm_start.hpp"

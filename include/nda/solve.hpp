@@ -3,6 +3,7 @@
 #include "nda/options.hpp"
 #include "nda/problem.hpp"
 #include "nda/solution.hpp"
+#include "nda/warm_start.hpp"
 
 namespace nda {
 
@@ -15,6 +16,12 @@ namespace nda {
 ///
 /// Throws InputError only for options out of range and for a problem that was moved from; outcomes
 /// are statuses.  Thread safe.
-Solution solve(const Problem& problem, const Options& options = {});
+/// @param warm_start  what is known beforehand, see there: saves time, changes neither the cost nor
+///                    that it is proven.  `components` are then those that it leaves open.  It is
+///                    ignored with Options::proof, with Method::kRelaxation, where singletons are
+///                    forbidden, and where indices have bounds on their uses.
+Solution solve(const Problem& problem,
+               const Options& options = {},
+               const WarmStart& warm_start = {});
 
 }  // namespace nda

@@ -18,6 +18,7 @@
 #include "nda/io.hpp"
 #include "nda/k_best.hpp"
 #include "nda/marginals.hpp"
+#include "nda/solve.hpp"
 
 namespace nda::cli {
 namespace {
@@ -34,6 +35,10 @@ struct SolveArguments {
   std::string method;
   std::string output;
   std::string proof;
+  std::string warm_start;
+  std::string save_warm_start;
+  int shift = 0;
+  int keep = 0;
   std::vector<Setting> settings;  // applied in this order
   std::size_t k = 1;
   double log_interval_s = 0.1;
@@ -205,12 +210,34 @@ void require_good_output(const std::string& output, const std::string& input) {
   require_other_file(output, input);
 }
 
+// A proof of the k best starts from the best alone, and a warm start is of use for that only.
+Solution solve_problem(const Problem& problem,
+                       const SolveArguments& arguments,
+                       const WarmStart& warm_start,
+                       const Options& options) {
+  if (arguments.k == 1) return solve(problem, options, warm_start);
+  return solve_k_best(problem, arguments.k, options);
+}
+
+WarmStart read_warm_start(const SolveArguments& arguments) {
+  if (arguments.warm_start.empty()) return {};
+  if (arguments.k > 1)
+    throw InputError("--warm-start is for one solution, --k is " + std::to_string(arguments.k));
+  WarmStart warm_start = nda::read_warm_start(arguments.warm_start);
+  warm_start.shift(arguments.shift, arguments.keep);
+  return warm_start;
+}
+
 int solve_file(const SolveArguments& arguments) {
   Options options = make_options(arguments);
   require_good_output(arguments.output, arguments.file);
   require_good_output(arguments.proof, arguments.file);
   if (arguments.proof == "-") throw InputError("--proof needs the name of a file, found '-'");
   require_two_files(arguments.output, arguments.proof);
+  require_good_output(arguments.save_warm_start, arguments.file);
+  require_two_files(arguments.output, arguments.save_warm_start);
+  require_two_files(arguments.proof, arguments.save_warm_start);
+  const WarmStart warm_start = read_warm_start(arguments);
   const bool json = arguments.json || arguments.output == "-";
   const core::Stopwatch reading;
   const Problem problem = read_problem(arguments.file);
@@ -221,7 +248,7 @@ int solve_file(const SolveArguments& arguments) {
     return interrupted == 0;
   };
   std::signal(SIGINT, on_interrupt);
-  Solution solution = solve_k_best(problem, arguments.k, options);
+  Solution solution = solve_problem(problem, arguments, warm_start, options);
   solution.stats.read_seconds = read_seconds;
   const core::Stopwatch weighing;
   if (arguments.marginals) solution.marginals = marginals(solution, {arguments.cost_per_nat});
@@ -229,6 +256,8 @@ int solve_file(const SolveArguments& arguments) {
   if (!arguments.output.empty() && arguments.output != "-") {
     write_solution(solution, arguments.output);
   }
+  if (!arguments.save_warm_start.empty())
+    write_warm_start(nda::warm_start(solution), arguments.save_warm_start);
   if (!arguments.proof.empty()) {
     if (solution.proof)
       write_proof(*solution.proof, arguments.proof);
@@ -316,6 +345,31 @@ void add_ranking(CLI::App& parser, const std::shared_ptr<SolveArguments>& argume
       ->needs(marginals);
 }
 
+void add_warm_start(CLI::App& parser, const std::shared_ptr<SolveArguments>& arguments) {
+  CLI::Option* file =
+      parser.add_option("--warm-start",
+                        arguments->warm_start,
+                        "start from what --save-warm-start wrote, as of the window before");
+  file->check(file_name());
+  parser
+      .add_option("--shift",
+                  arguments->shift,
+                  "the window dropped so many dimensions since, and gained as many at its end")
+      ->check(whole_number())
+      ->needs(file);
+  parser
+      .add_option("--keep",
+                  arguments->keep,
+                  "but kept so many at its front, as a list of tracks (with --shift)")
+      ->check(whole_number())
+      ->needs(file);
+  parser
+      .add_option("--save-warm-start",
+                  arguments->save_warm_start,
+                  "write multipliers and arcs of the best solution for a later --warm-start")
+      ->check(file_name());
+}
+
 }  // namespace
 
 Action declare_solve(CLI::App& parser) {
@@ -323,6 +377,7 @@ Action declare_solve(CLI::App& parser) {
   parser.add_option("file", arguments->file, "arc file, '-' for standard input")->required();
   add_ranking(parser, arguments);
   add_settings(parser, arguments);
+  add_warm_start(parser, arguments);
   parser
       .add_option(
           "--output,-o", arguments->output, "write the solution as JSON; '-' is the same as --json")
@@ -349,7 +404,9 @@ Action declare_solve(CLI::App& parser) {
       "Example:\n"
       "  nda solve window.nda.gz --time-limit 10 --output window.json\n"
       "  nda check window.nda.gz window.json\n"
-      "  nda solve window.nda.gz --k 10 --marginals");
+      "  nda solve window.nda.gz --k 10 --marginals\n"
+      "  nda solve first.nda --save-warm-start first.warm\n"
+      "  nda solve second.nda --warm-start first.warm --shift 1");
   return [arguments] { return solve_file(*arguments); };
 }
 

@@ -46,7 +46,8 @@ inline double shifted_cost(const Problem& problem, const Shift& shift, std::size
   if (shift.is_free) return problem.costs()[a];
   DoubleDouble cost(problem.costs()[a]);
   for (int k = 0; k < problem.num_dimensions(); ++k) {
-    cost.add(-shift.base[static_cast<std::size_t>(k)][problem.indices(k)[a]]);
+    const double charge = shift.base[static_cast<std::size_t>(k)][problem.indices(k)[a]];
+    if (charge != 0) cost.add(-charge);
   }
   return cost.high();
 }

@@ -147,12 +147,24 @@ struct OptionTable<TrackingOptions> {
       Option{"max_misses", &O::max_misses, 0, kMaxDimensions, "in a row"},
       Option{"cap", &O::cap, 0, kMostEntries, "hypotheses per starting detection; 0 = all"},
   };
+  static constexpr std::tuple kWindowRows{
+      Option{"scenario_scans",
+             &O::scenario_scans,
+             0,
+             kMostDetections,
+             "length of the scenario that the window is cut out of; 0 = scans"},
+      Option{"first_scan",
+             &O::first_scan,
+             0,
+             kMostDetections,
+             "of the window in the scenario, from 0"},
+  };
   static constexpr std::tuple kGroupRows{
       Option{"group_size", &O::group_size, 0, kMostDetections, "targets per group; 0 = none"},
       Option{"group_spread", &O::group_spread, 0, 1e9, "sigma within a group"},
       Option{"velocity_spread", &O::velocity_spread, 0, 1e9, "sigma in a group"},
   };
-  static constexpr std::tuple kRows = std::tuple_cat(kScenarioRows, kGroupRows);
+  static constexpr std::tuple kRows = std::tuple_cat(kScenarioRows, kGroupRows, kWindowRows);
 };
 
 /// The option of a field on the command line: --max-size for max_size.

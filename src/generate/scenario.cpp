@@ -1,6 +1,7 @@
 #include "generate/scenario.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "generate/portable.hpp"
 
@@ -34,7 +35,7 @@ Point deviate(Draw& draw, Point from, double deviation) {
 
 std::vector<Target> draw_targets(Draw& draw, const TrackingOptions& options) {
   std::vector<Target> targets;
-  const double middle = 0.5 * (options.scans - 1);
+  const double middle = 0.5 * (scenario_scans(options) - 1);
   Point meeting, common;
   for (int t = 0; t < options.targets; ++t) {
     if (options.group_size == 0) {
@@ -75,11 +76,18 @@ Scan draw_scan(Draw& draw,
 
 }  // namespace
 
+int scenario_scans(const TrackingOptions& options) {
+  return options.scenario_scans == 0 ? options.scans : options.scenario_scans;
+}
+
 std::vector<Scan> draw_scans(const TrackingOptions& options) {
   Draw draw(options.seed);
   const std::vector<Target> targets = draw_targets(draw, options);
   std::vector<Scan> scans;
-  for (int s = 0; s < options.scans; ++s) scans.push_back(draw_scan(draw, options, targets, s));
+  for (int s = 0; s < options.first_scan + options.scans; ++s) {
+    Scan scan = draw_scan(draw, options, targets, s);
+    if (s >= options.first_scan) scans.push_back(std::move(scan));
+  }
   return scans;
 }
 

@@ -45,6 +45,16 @@ void validate(const TrackingOptions& options) {
                            options.scans * (options.targets + options.clutter),
                            0,
                            generate::kMostDetections);
+  if (options.scenario_scans > 0) {
+    generate::require_within(
+        "scenario_scans", options.scenario_scans, options.scans, generate::kMostDetections);
+  }
+  generate::require_within(
+      "first_scan", options.first_scan, 0, generate::scenario_scans(options) - options.scans);
+  generate::require_within("scenario_scans times targets and clutter",
+                           generate::scenario_scans(options) * (options.targets + options.clutter),
+                           0,
+                           generate::kMostDetections);
   generate::require_within("the number of patterns of misses that scans and max_misses allow",
                            count_patterns(options.scans, options.max_misses),
                            0,
@@ -60,6 +70,7 @@ std::vector<std::string> comments(const TrackingOptions& options) {
   generate::Parameters parameters(options.group_size > 0 ? "groups" : "tracking", options.seed);
   parameters.add_rows(Table::kScenarioRows, options);
   if (options.group_size > 0) parameters.add_rows(Table::kGroupRows, options);
+  if (options.scenario_scans > 0) parameters.add_rows(Table::kWindowRows, options);
   return {parameters.command()};
 }
 

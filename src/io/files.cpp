@@ -183,11 +183,31 @@ void write_problem(const Problem& problem, std::ostream& output, const WriteOpti
   sink->commit();
 }
 
-void write_solution(const Solution& solution, const std::string& path) {
+namespace {
+
+template <typename MakeText>
+void write_text(const std::string& path, MakeText make_text) {
   with_name(output_name(path), [&] {
+    const std::string text = make_text();
     const auto sink = open_sink(path);
-    sink->write(solution_to_json(solution));
+    sink->write(text);
     sink->commit();
+  });
+}
+
+}  // namespace
+
+void write_solution(const Solution& solution, const std::string& path) {
+  write_text(path, [&] { return solution_to_json(solution); });
+}
+
+void write_warm_start(const WarmStart& warm_start, const std::string& path) {
+  write_text(path, [&] { return warm_start_to_json(warm_start); });
+}
+
+WarmStart read_warm_start(const std::string& path) {
+  return with_name(io::input_name(path), [&] {
+    return warm_start_from_json(read_all(*io::decompressed(io::file_source(path))));
   });
 }
 

@@ -1,9 +1,35 @@
 #include "io/json_node.hpp"
 
+#include <algorithm>
+
 #include "io/scanner.hpp"
 #include "nda/types.hpp"
 
 namespace nda::io {
+namespace {
+
+// The message of nlohmann-json without its error number; it quotes from the input, so it is cut and
+// anything unprintable is masked.
+std::string syntax_message(const nlohmann::json::exception& error) {
+  constexpr std::size_t kLongest = 200;
+  std::string message = error.what();
+  const std::size_t start = message.find("] ");
+  if (start != std::string::npos) message.erase(0, start + 2);
+  if (message.size() > kLongest) message.replace(kLongest, std::string::npos, "...");
+  std::replace_if(
+      message.begin(), message.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return "invalid JSON: " + message;
+}
+
+}  // namespace
+
+nlohmann::json parse_json(std::string_view text) {
+  try {
+    return nlohmann::json::parse(text);
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(syntax_message(error));
+  }
+}
 
 JsonNode JsonNode::operator[](const char* key) const {
   if (!value_.is_object()) fail_expected("an object");

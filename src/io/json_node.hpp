@@ -8,6 +8,9 @@
 
 namespace nda::io {
 
+/// Throws InputError "invalid JSON: ...".
+nlohmann::json parse_json(std::string_view text);
+
 /// A place in a JSON document that knows its name: a typed read that fails says
 /// "solutions[0].arcs[3][1]: expected a whole number up to 7, found \"x\"" (InputError).
 ///

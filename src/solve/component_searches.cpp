@@ -29,6 +29,9 @@ constexpr int kFeasibleSweeps = 3;
 constexpr double kFirstFree = 0x1p-22;
 constexpr double kWidenFree = 64;
 constexpr double kFreeWork = 1e5;
+// Of a search within the whole gap; where more arcs than this are left it would not end.
+constexpr double kGapWork = 3e4;
+constexpr std::size_t kGapArcsPerIndex = 4;
 constexpr double kFreeWorkPerIndex = 50;
 
 }  // namespace
@@ -108,6 +111,28 @@ void ComponentSolver::search_nearly_free() {
     enumerated_ = true;
     raise_bound(cutoff(), "complementary slackness");
   }
+}
+
+// Good multipliers and a good packing leave little between them: all of it is searched.
+void ComponentSolver::search_gap() {
+  if (component_.num_arcs() > kGapArcsPerIndex * component_.num_indices()) return;
+  state_.method = "slack search";
+  const double budget = cutoff() - state_.certificate;
+  const bnb::ComponentSlack slack = bnb::slack_of(component_, state_.u, budget, deadline_);
+  bnb::SlackLimits limits;
+  limits.deadline = deadline_;
+  limits.max_work = kGapWork;
+  limits.max_nodes = options_.branch.max_nodes - state_.nodes;
+  if (deadline_.reached()) return;
+  const bnb::SlackResult found = bnb::search_slack(slack.problem, budget, limits);
+  state_.nodes += found.nodes;
+  if (!found.arcs.empty()) {
+    std::vector<ArcId> arcs = core::at_positions(slack.arcs, found.arcs);
+    offer(core::make_packing(component_, std::move(arcs)), "slack search");
+  }
+  if (!found.complete) return;
+  enumerated_ = true;
+  raise_bound(cutoff(), "slack search");
 }
 
 }  // namespace nda::pipeline

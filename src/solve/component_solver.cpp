@@ -107,6 +107,7 @@ Precision precision_of(std::size_t num_indices, double largest, const core::Cost
 
 ComponentSolver::ComponentSolver(const Component& component,
                                  std::vector<bool> required,
+                                 const Hint& hint,
                                  const Options& options,
                                  const core::CostGrid& grid,
                                  std::uint64_t seed,
@@ -120,9 +121,11 @@ ComponentSolver::ComponentSolver(const Component& component,
       monitor_(monitor),
       precision_(precision_of(component, grid)),
       seed_(seed),
-      proof_(proof) {
+      proof_(proof),
+      is_hot_(!hint.u.empty()) {
   state_.live_arcs = component.num_arcs();
-  state_.u.assign(component.num_slots(), 0.0);
+  state_.u = hint.u;
+  state_.u.resize(component.num_slots(), 0.0);
   const core::Stopwatch watch;
   state_.certificate = state_.lower = relax::make_feasible(component, state_.u, deadline);
   certify_s_ = kCertifyReserve * watch.seconds();
@@ -130,6 +133,7 @@ ComponentSolver::ComponentSolver(const Component& component,
   state_.feasible = covers_required({});
   if (state_.feasible && !required_.empty()) monitor_.component_feasible();
   if (!state_.feasible) dearest_ = dearest_covering(component, required_);
+  if (is_hot_ && bounded()) offer(hint.best, "warm start");
 }
 
 relax::LagrangianOptions ComponentSolver::loop_options(const Component& component) const {
@@ -141,16 +145,21 @@ relax::LagrangianOptions ComponentSolver::loop_options(const Component& componen
 }
 
 void ComponentSolver::start() {
-  if (deadline_.reached()) return;
+  if (deadline_.reached() || state_.complete) return;
   if (component_.num_dimensions() == 2) return solve_assignment();
   if (options_.method == Method::kRelaxation) return relax();
   const bool small =
       component_.num_arcs() <= options_.branch.exact_arcs || options_.method == Method::kExact;
   if (small && options_.branch.max_nodes > 0) enumerate();
   if (state_.complete) return;
-  offer(recovery::greedy_in_core(
-            component_, state_.u, recovery::CoreSearchOptions{}.arcs_per_index, deadline_),
-        "greedy");
+  if (is_hot_) {
+    search_gap();
+  } else {
+    offer(recovery::greedy_in_core(
+              component_, state_.u, recovery::CoreSearchOptions{}.arcs_per_index, deadline_),
+          "greedy");
+  }
+  if (state_.complete) return;
   if (options_.branch.max_nodes > 0) search_cliques();
   if (state_.complete) return;
   relax();

@@ -47,6 +47,12 @@ struct ComponentState {
   std::size_t live_arcs = 0;  ///< after reduced-cost fixing
 };
 
+/// What a warm start knows of a component; nothing where empty.
+struct Hint {
+  std::vector<double> u;  ///< by slot, <= 0
+  core::Packing best;     ///< in arcs of the component
+};
+
 /// Solves one component in two stages, so that all components get a solution and a bound before any
 /// is worked on for long.  Deterministic: limits are counted in work; only the deadline looks at a
 /// clock.
@@ -54,9 +60,11 @@ class ComponentSolver {
  public:
   /// @param required  by slot: whether its singleton is forbidden; empty where none of the problem
   ///                  is.
+  /// @param hint      where to start from.
   /// @param proof     where to write down why the bound holds; may be null.
   ComponentSolver(const core::Component& component,
                   std::vector<bool> required,
+                  const Hint& hint,
                   const Options& options,
                   const core::CostGrid& grid,
                   std::uint64_t seed,
@@ -86,6 +94,7 @@ class ComponentSolver {
   void solve_assignment();
   void enumerate();
   void search_nearly_free();
+  void search_gap();
   void search_cliques();
   void settle_best(std::span<const double> u, int max_evaluations, const char* event);
   void relax();
@@ -139,6 +148,7 @@ class ComponentSolver {
 
   const std::uint64_t seed_;
   cutting::ProofLog* const proof_;
+  const bool is_hot_;
   bool enumerated_ = false;
   bool searched_cliques_ = false;  // to the end
   bool searched_ = false;

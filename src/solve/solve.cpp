@@ -15,15 +15,15 @@
 #include "core/shift.hpp"
 #include "decompose/components.hpp"
 #include "nda/check.hpp"
-#include "solve/component_solver.hpp"
 #include "solve/costs.hpp"
+#include "solve/hot_start.hpp"
 #include "solve/infeasibility.hpp"
 #include "solve/many_to_one.hpp"
 #include "solve/monitor.hpp"
 #include "solve/parallel.hpp"
+#include "solve/part.hpp"
 #include "solve/penalties.hpp"
 #include "solve/process.hpp"
-#include "solve/settling.hpp"
 #include "solve/singletons.hpp"
 #include "solve/solutions.hpp"
 #include "solve/supervision.hpp"
@@ -40,6 +40,7 @@ using core::Component;
 using pipeline::ComponentSolver;
 using pipeline::ComponentState;
 using pipeline::Monitor;
+using pipeline::Part;
 
 // What merging takes, for the most part the certificate: per dimension of an arc, and per index.
 constexpr double kMergeSecondsPerEntry = 3e-9;
@@ -52,26 +53,13 @@ constexpr double kWholeShare = 0.9;
 // Beyond this sums and squares of costs might overflow.
 constexpr double kLargestCost = 1e100;
 
-// One component and its solver, kept between the rounds.
-struct Part {
-  Component component;
-  std::unique_ptr<cutting::ProofLog> proof;  // null when none is asked for
-  std::optional<pipeline::SettledComponent> settled;
-  std::unique_ptr<ComponentSolver> solver;  // null where settled
-
-  bool is_known() const { return settled || solver != nullptr; }
-  const ComponentState& state() const { return settled ? settled->state : solver->state(); }
-  const pipeline::Precision& precision() const {
-    return settled ? settled->precision : solver->precision();
-  }
-};
-
 class Pipeline {
  public:
   // modest: where a penalty that is surely enough would hide digits of the costs, a lower one.
-  Pipeline(const Problem& problem, const Options& options, bool modest)
+  Pipeline(const Problem& problem, const Options& options, const WarmStart& warm, bool modest)
       : problem_(problem),
         options_(options),
+        warm_(warm),
         modest_(modest),
         supervision_(options.progress, options.stop, work_limit()) {}
 
@@ -103,7 +91,9 @@ class Pipeline {
     grid_ = core::find_grid(problem_, deadline_);
     if (modest_ && pipeline::hides_digits(problem_, shift_, grid_))
       shift_ = core::make_shift(problem_, deadline_, pipeline::modest_penalty(problem_));
-    partition_ = decompose::partition(problem_, shift_, deadline_);
+    if (may_start_hot()) hot_ = pipeline::make_hot_start(problem_, shift_, grid_, warm_, deadline_);
+    partition_ = hot_ ? decompose::partition(hot_->open, deadline_)
+                      : decompose::partition(problem_, shift_, deadline_);
     if (!options_.relaxation.decompose) decompose::join(partition_);
     if (deadline_.reached()) return;
     parts_.resize(partition_.num_components());
@@ -120,19 +110,31 @@ class Pipeline {
     });
   }
 
+  // A proof must speak of all arcs, and what pays penalties says nothing of them.
+  bool may_start_hot() const {
+    return !warm_.empty() && !options_.proof && shift_.penalty == 0 &&
+           options_.method != Method::kRelaxation;
+  }
+
   void work() {
-    for_open_parts([](const Part& part) { return static_cast<double>(part.component.num_arcs()); },
-                   [](Part& part) { part.solver->start(); });
+    const auto open = [&] { return total(&best_cost) - total(&lower_bound); };
+    const bool is_near = hot_ && open() <= allowed_gap();
+    if (!is_near) start_parts();
     if (is_penalty_too_low()) return;
     const double gap = allowed_gap();
-    const double open = total(&best_cost) - total(&lower_bound);
+    const double still_open = open();
     const auto gap_of = [](const Part& part) {
       return part.state().best.cost - part.state().lower;
     };
     for_open_parts(gap_of, [&](Part& part) {
-      const double share = open > 0 ? gap_of(part) / open : 0.0;
+      const double share = still_open > 0 ? gap_of(part) / still_open : 0.0;
       part.solver->finish(share > 0 ? gap * share : 0.0);
     });
+  }
+
+  void start_parts() {
+    for_open_parts([](const Part& part) { return static_cast<double>(part.component.num_arcs()); },
+                   [](Part& part) { part.solver->start(); });
   }
 
   // Something is done with and pays it.
@@ -164,7 +166,13 @@ class Pipeline {
   void prepare_part(std::size_t p, core::Cutter& cutter, reduce::Reducer& reducer) {
     if (deadline_.reached()) return;
     Part& part = parts_[p];
-    if (mostly_whole()) {
+    pipeline::Hint hint;
+    if (hot_) {
+      pipeline::HotPart hot =
+          pipeline::cut_part(*hot_, grid_, partition_.component(p), cutter, deadline_);
+      part.component = std::move(hot.component);
+      hint = std::move(hot.hint);
+    } else if (mostly_whole()) {
       partition_ = {};
       part.component = core::whole_problem(problem_, shift_, deadline_);
     } else {
@@ -185,6 +193,7 @@ class Pipeline {
     }
     part.solver = std::make_unique<ComponentSolver>(part.component,
                                                     std::move(required),
+                                                    hint,
                                                     options_,
                                                     grid_,
                                                     options_.seed + 1000003 * p,
@@ -323,12 +332,18 @@ class Pipeline {
     return !covered_[k][i] && problem_.singleton_costs(static_cast<int>(k))[i] == kInfinity;
   }
 
-  void merge_multipliers(Solution& solution) const {
+  void merge_multipliers(Solution& solution) {
     for (int k = 0; k < problem_.num_dimensions(); ++k) {
       const std::vector<double>& base = shift_.base[static_cast<std::size_t>(k)];
       solution.multipliers.emplace_back(base.begin() + 1, base.end());
     }
     if (!is_bounded_) drop_penalties(solution);
+    if (hot_) {
+      for (const Part& part : parts_) {
+        if (part.is_known()) pipeline::learn(*hot_, part.component, part.state().u);
+      }
+      return pipeline::add_multipliers(*hot_, solution.multipliers);
+    }
     for (const Part& part : parts_) {
       // With the penalties dropped, multipliers that were found for them fit no longer.
       if (!part.is_known() || (!is_bounded_ && shift_.penalty > 0)) continue;
@@ -372,8 +387,8 @@ class Pipeline {
   }
 
   double bound_of_parts(const Solution& solution) const {
-    double error = 0;
-    bool exact = !solution.solutions.empty();
+    double error = hot_ ? hot_->precision.error : 0;
+    bool exact = !solution.solutions.empty() && (!hot_ || hot_->precision.on_grid());
     for (const Part& part : parts_) {
       error += part.precision().error;
       exact = exact && part.state().complete && part.precision().on_grid();
@@ -386,9 +401,9 @@ class Pipeline {
 
   void set_status(Solution& solution) {
     bool complete = is_bounded_;
-    bool on_grid = true;
+    bool on_grid = !hot_ || hot_->precision.on_grid();
     bool infeasible = false;
-    double error = 0;
+    double error = hot_ ? 2 * hot_->precision.error : 0;
     for (const Part& part : parts_) {
       if (!part.is_known()) continue;
       const ComponentState& state = part.state();
@@ -450,13 +465,15 @@ class Pipeline {
 
   const Problem& problem_;
   const Options& options_;
+  const WarmStart& warm_;
   const bool modest_;
   pipeline::Supervision supervision_;
   const core::Deadline& deadline_ = supervision_.deadline();
   Monitor& monitor_ = supervision_.monitor();
   core::Shift shift_;
   core::CostGrid grid_;
-  decompose::Partition partition_;
+  std::optional<pipeline::HotStart> hot_;
+  decompose::Partition partition_;  // of what the hot start leaves open, or else of all
   std::vector<Part> parts_;
   pipeline::Coverage covered_;                // by the best packings
   std::vector<pipeline::RealIndex> missing_;  // forbidden singletons among the rest, ascending
@@ -464,9 +481,9 @@ class Pipeline {
   bool is_infeasible_ = false;
 };
 
-Solution solve_once(const Problem& problem, const Options& options) {
+Solution solve_once(const Problem& problem, const Options& options, const WarmStart& warm_start) {
   return pipeline::solve_by_penalties(options, [&](const Options& run, bool modest) {
-    Pipeline pipeline(problem, run, modest);
+    Pipeline pipeline(problem, run, warm_start, modest);
     Solution solution = pipeline.run();
     return pipeline::PenalisedRun{std::move(solution), pipeline.needs_higher_penalty()};
   });
@@ -474,11 +491,13 @@ Solution solve_once(const Problem& problem, const Options& options) {
 
 }  // namespace
 
-Solution solve(const Problem& problem, const Options& options) {
+Solution solve(const Problem& problem, const Options& options, const WarmStart& warm_start) {
   if (problem.num_dimensions() == 0) throw InputError("the problem was moved from: 0 dimensions");
   validate(options);
-  return problem.is_many_to_one() ? pipeline::solve_many_to_one(problem, options, solve_once)
-                                  : solve_once(problem, options);
+  if (!problem.is_many_to_one()) return solve_once(problem, options, warm_start);
+  return pipeline::solve_many_to_one(problem, options, [](const Problem& rest, const Options& run) {
+    return solve_once(rest, run, {});
+  });
 }
 
 }  // namespace nda

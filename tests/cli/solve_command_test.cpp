@@ -221,5 +221,35 @@ TEST(SolveCommand, NamesWhatIsWrongInOneShortLine) {
   }
 }
 
+// Windows of one scenario, one scan apart.
+TEST(SolveCommand, StartsFromTheLastWindow) {
+  const TemporaryFolder folder;
+  const std::string generate = "nda generate tracking --scenario-scans 6 --first-scan ";
+  ASSERT_EQ(run(folder, generate + "0 -o a.nda && " + generate + "1 -o b.nda").code, 0);
+  ASSERT_EQ(run(folder, "nda solve a.nda --save-warm-start a.warm").code, 0);
+  const std::string solve = "nda solve b.nda --warm-start a.warm --output b.json";
+  for (const char* moved : {"", " --shift 1", " --shift 1 --keep 1", " --shift 9"}) {
+    const Outcome outcome = run(folder, solve + moved);
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_THAT(outcome.output, HasSubstr("(proven optimal)"));
+    EXPECT_EQ(run(folder, "nda check b.nda b.json").code, 0);
+  }
+}
+
+TEST(SolveCommand, RefusesAWarmStartThatIsNone) {
+  const TemporaryFolder folder;
+  write_file(folder / "a.nda", kProblem);
+  write_file(folder / "a.warm", R"({"format": "nda-warm-start", "version": 1, "multipliers": 1})");
+  const Outcome bad = run(folder, "nda solve a.nda --warm-start a.warm");
+  EXPECT_EQ(bad.code, 2);
+  EXPECT_THAT(bad.log, HasSubstr("a.warm: multipliers: expected an array, found"));
+  EXPECT_EQ(run(folder, "nda solve a.nda --warm-start missing").code, 2);
+  EXPECT_EQ(run(folder, "nda solve a.nda --shift 1").code, 2);
+  EXPECT_EQ(run(folder, "nda solve a.nda --save-warm-start a.nda").code, 2);
+  const Outcome ranked = run(folder, "nda solve a.nda --k 2 --warm-start a.warm");
+  EXPECT_EQ(ranked.code, 2);
+  EXPECT_THAT(ranked.log, HasSubstr("--warm-start is for one solution, --k is 2"));
+}
+
 }  // namespace
 }  // namespace nda::cli

@@ -70,5 +70,38 @@ TEST(DrawScans, LetsGroupsMeetAtMidWindow) {
   EXPECT_NEAR(deviation(6), 45, 20);
 }
 
+TEST(Scenario, WindowsSeeTheSameDetectionsWhereTheyOverlap) {
+  for (const int group_size : {0, 4}) {
+    TrackingOptions options;
+    options.group_size = group_size;
+    options.scenario_scans = 9;
+    options.scans = 9;
+    const std::vector<Scan> all = draw_scans(options);
+    options.scans = 4;
+    for (options.first_scan = 0; options.first_scan <= 5; ++options.first_scan) {
+      const std::vector<Scan> window = draw_scans(options);
+      ASSERT_EQ(window.size(), 4u);
+      for (std::size_t s = 0; s < window.size(); ++s) {
+        const Scan& scan = all[s + static_cast<std::size_t>(options.first_scan)];
+        ASSERT_EQ(window[s].size(), scan.size());
+        for (std::size_t j = 0; j < scan.size(); ++j) EXPECT_EQ(window[s][j].x, scan[j].x);
+      }
+    }
+  }
+}
+
+TEST(Scenario, WindowsLieWithinTheirScenario) {
+  TrackingOptions options;
+  options.first_scan = 1;
+  EXPECT_THROW(generate_tracking(options), InputError);
+  options.scenario_scans = options.scans;
+  EXPECT_THROW(generate_tracking(options), InputError);
+  options.scenario_scans = options.scans + 1;
+  EXPECT_NO_THROW(generate_tracking(options));
+  options.first_scan = 0;
+  options.scenario_scans = options.scans - 1;
+  EXPECT_THROW(generate_tracking(options), InputError);
+}
+
 }  // namespace
 }  // namespace nda::generate

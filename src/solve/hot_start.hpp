@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/clock.hpp"
+#include "core/component.hpp"
+#include "core/shift.hpp"
+#include "nda/problem.hpp"
+#include "nda/warm_start.hpp"
+#include "solve/component_solver.hpp"
+
+namespace nda::pipeline {
+
+/// What a warm start proves of a problem before it is split: a packing, feasible multipliers, and
+/// the few arcs that a better packing could use (docs/hot_starts.md).
+struct HotStart {
+  core::Component live;        ///< the arcs that can improve on their singletons
+  std::vector<double> u;       ///< by slot of `live`, feasible
+  double lower = 0;            ///< sum u
+  core::Component open;        ///< cut out of `live`: what a packing cheaper than that of `is_best`
+                               ///< by more than the margin may use, and that packing
+  std::vector<double> open_u;  ///< u by slot of `open`
+  std::vector<double> open_r;  ///< reduced costs of its arcs
+  std::vector<char> is_best;   ///< by arc of `open`
+  Precision precision;         ///< of the whole
+};
+
+/// Nothing where the deadline strikes, or where no arc is live.  No singleton of the problem may be
+/// forbidden.  Never wrong, whatever the warm start says.
+/// Cost: some passes over the arcs, more over those of little reduced cost.
+std::optional<HotStart> make_hot_start(const Problem& problem,
+                                       const core::Shift& shift,
+                                       const core::CostGrid& grid,
+                                       const WarmStart& warm,
+                                       const core::Deadline& deadline);
+
+/// A part of `open`, a connected component of these arcs, and what is known of it.  Arcs that the
+/// part's own gap excludes are left out.
+struct HotPart {
+  core::Component component;
+  Hint hint;
+};
+HotPart cut_part(const HotStart& hot,
+                 const core::CostGrid& grid,
+                 std::span<const core::ArcId> arcs,
+                 core::Cutter& cutter,
+                 const core::Deadline& deadline);
+
+/// Keeps multipliers of a part, by its slots, for add_multipliers().
+void learn(HotStart& hot, const core::Component& part, std::span<const double> u);
+
+/// Adds to multipliers[k][i-1] those of the hot start, or those that it learned, made feasible: the
+/// ones that prove more.
+void add_multipliers(HotStart& hot, std::vector<std::vector<double>>& multipliers);
+
+}  // namespace nda::pipeline

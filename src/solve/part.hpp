@@ -1,0 +1,25 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "core/component.hpp"
+#include "cutting/proof_log.hpp"
+#include "solve/component_solver.hpp"
+#include "solve/settling.hpp"
+
+namespace nda::pipeline {
+
+/// One component and its solver, kept between the rounds.
+struct Part {
+  core::Component component;
+  std::unique_ptr<cutting::ProofLog> proof;  // null when none is asked for
+  std::optional<SettledComponent> settled;
+  std::unique_ptr<ComponentSolver> solver;  // null where settled
+
+  bool is_known() const { return settled || solver != nullptr; }
+  const ComponentState& state() const { return settled ? settled->state : solver->state(); }
+  const Precision& precision() const { return settled ? settled->precision : solver->precision(); }
+};
+
+}  // namespace nda::pipeline
