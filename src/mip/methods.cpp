@@ -202,6 +202,7 @@ Contender make_contender(const NdaMethod& line) {
 
 Contender make_contender(const PresetInfo& line) {
   Contender method{line.name, MethodKind::kNda, line.about, {}, {}};
+  method.unfit = [](const Problem& problem) { return bounds_fault(false, problem); };
   method.run = [&line](const Problem& problem, const RunLimits& limits) {
     return run_nda(problem, preset(line.name), limits);
   };

@@ -7,6 +7,9 @@
 
 namespace nda::pipeline {
 
+/// Beyond this sums and squares of costs might overflow.
+inline constexpr double kLargestCost = 1e100;
+
 /// Largest |c| of arcs and allowed singletons; 0 if there is none.
 double largest_cost(const Problem& problem);
 

@@ -30,8 +30,6 @@ namespace {
 
 using core::ArcId;
 
-// Beyond this sums and squares of costs might overflow.
-constexpr double kLargestCost = 1e100;
 // Of the time that is left, what the rest may take at least when parts are open.
 constexpr double kLeastShare = 0.1;
 constexpr double kMergeSecondsPerEntry = 2e-8;

@@ -50,9 +50,6 @@ constexpr double kMergeSecondsPerPart = 2e-6;
 
 constexpr double kWholeShare = 0.9;
 
-// Beyond this sums and squares of costs might overflow.
-constexpr double kLargestCost = 1e100;
-
 class Pipeline {
  public:
   // modest: where a penalty that is surely enough would hide digits of the costs, a lower one.
@@ -65,7 +62,7 @@ class Pipeline {
 
   Solution run() {
     const double largest = pipeline::largest_cost(problem_);
-    if (largest > kLargestCost) return pipeline::overflow(problem_, largest);
+    if (largest > pipeline::kLargestCost) return pipeline::overflow(problem_, largest);
     prepare();
     if (is_bounded_) work();
     return merge();

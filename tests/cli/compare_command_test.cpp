@@ -5,6 +5,7 @@
 #include <regex>
 
 #include "cli/program.hpp"
+#include "nda/options.hpp"
 
 namespace nda::cli {
 namespace {
@@ -32,6 +33,19 @@ void add_program(const TemporaryFolder& folder, const std::string& name, const s
   std::filesystem::create_directory(folder / "bin");
   write_file(folder / ("bin/" + name), "#!/bin/sh\n" + text);
   std::filesystem::permissions(folder / ("bin/" + name), std::filesystem::perms::owner_all);
+}
+
+TEST(CompareCommand, ShowsPresetsOnEveryFamily) {
+  const Outcome outcome = run({}, "nda compare --presets --time-limit 0.02");
+  EXPECT_EQ(outcome.code, 0) << outcome.output;
+  for (const char* family : {"poore-5.1:", "poore-5.3:", "map3:", "planted:", "six-scan:"})
+    EXPECT_THAT(outcome.output, HasSubstr(family));
+  for (const PresetInfo& line : presets()) {
+    if (line.is_paper) {
+      EXPECT_THAT(outcome.output, HasSubstr(line.name));
+    }
+  }
+  EXPECT_THAT(outcome.output, HasSubstr("8 files"));
 }
 
 TEST(CompareCommand, PrintsOneTablePerFileAndTheirSummary) {

@@ -3,9 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "mip_support.hpp"
+#include "nda/options.hpp"
 #include "support/brute_force.hpp"
 #include "support/random_problems.hpp"
 #include "support/tiny_problems.hpp"
@@ -57,13 +59,24 @@ TEST(ChooseMethods, SaysWhichPackageBringsWhatIsMissing) {
                           "glpk is not installed (Debian package: glpk-utils)"));
 }
 
-TEST(ChooseMethods, TakesAllWhenNoneIsNamed) {
+std::size_t num_papers() {
+  return static_cast<std::size_t>(std::ranges::count_if(presets(), &PresetInfo::is_paper));
+}
+
+TEST(ChooseMethods, TakesAllButPapersWhenNoneIsNamed) {
   const Scratch scratch;
   scratch.add_program("cbc", "");
   const MethodChoice choice = choose_methods({}, bare(scratch));
   EXPECT_THAT(names_of(choice.methods), Contains("cbc"));
   EXPECT_THAT(choice.missing, Contains(HasSubstr("glpk is not installed")));
-  EXPECT_EQ(choice.methods.size() + choice.missing.size(), method_names().size());
+  EXPECT_EQ(choice.methods.size() + choice.missing.size(), method_names().size() - num_papers());
+}
+
+TEST(ChooseMethods, TakesPapersByNameAndAsAGroup) {
+  const Scratch scratch;
+  EXPECT_EQ(choose_methods({"paper"}, bare(scratch)).methods.size(), num_papers());
+  EXPECT_THAT(names_of(choose_methods({"poore-1995", "default"}, bare(scratch)).methods),
+              ElementsAre("default", "poore-1995"));
 }
 
 TEST(Methods, OfOursAgreeWithBruteForceOnRandomProblems) {
