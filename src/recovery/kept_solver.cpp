@@ -70,6 +70,7 @@ class KeptSearch {
     answer_.exact = false;
     answer_.lower = -kInfinity;
     answer_.u.resize(problem_.num_slots(), 0.0);
+    if (options_.kept_evaluations == 1) last_ = answer_.u;
     double lower = 0;
     for (int sweep = 0; sweep < kSweeps; ++sweep)
       lower = relax::make_feasible(problem_, answer_.u, deadline_);
@@ -155,7 +156,8 @@ class KeptSearch {
     const auto recover = [&](const relax::RelaxedDual& point) {
       return recover_recursively(problem_, point, options_, deadline_);
     };
-    const relax::LagrangianResult found = relax::maximize_dual(problem_, answer_.u, loop, recover);
+    const std::vector<double>& start = last_.empty() ? answer_.u : last_;
+    const relax::LagrangianResult found = relax::maximize_dual(problem_, start, loop, recover);
     answer_.evaluations += found.evaluations + found.kept_evaluations;
     answer_.nodes += found.kept_nodes;
     adopt(found.u, found.lower);
@@ -168,6 +170,9 @@ class KeptSearch {
   const core::Deadline& deadline_;
   KeptAnswer& answer_;
   const double error_;
+  // Where a single evaluation takes place: the multipliers as they were.  At feasible ones nothing
+  // gains, so that it would find the empty packing.
+  std::vector<double> last_;
   std::int64_t nodes_ = 0;
 };
 

@@ -89,6 +89,18 @@ TEST(KeptSolver, BoundsFromBothSidesWithoutExactSearch) {
   }
 }
 
+// At multipliers that are feasible the relaxed solution is empty, and no step follows that leaves
+// them: half of what there is to gain was found so.
+TEST(KeptSolver, FindsPackingsWithOneEvaluation) {
+  double found = 0;
+  double best_ones = 0;
+  for_sequences(inexact(1), [&](const Component&, const KeptAnswer& answer, double best) {
+    found += answer.best.cost;
+    best_ones += best;
+  });
+  EXPECT_LE(found, 0.9 * best_ones);
+}
+
 TEST(KeptSolver, StopsAtItsLimitOfNodes) {
   RelaxationOptions options = exact();
   options.kept_nodes = 0;
