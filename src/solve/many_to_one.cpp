@@ -219,10 +219,10 @@ class ManyToOne {
     return deadline_.interrupted() ? Status::kInterrupted : Status::kTimeLimit;
   }
 
-  // The solution of these arcs, if all that must be used are.
+  // The solution of these arcs, if all that must be used are and its cost does not overflow.
   void offer(Solution& solution, std::vector<ArcId> arcs) const {
     std::optional<RankedSolution> best = solution_of_uses(problem_, std::move(arcs));
-    if (!best) return;
+    if (!best || !std::isfinite(best->cost)) return;
     solution.cost = best->cost;
     solution.solutions.push_back(std::move(*best));
   }

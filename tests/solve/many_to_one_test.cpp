@@ -323,5 +323,21 @@ TEST(ManyToOneOnce, BoundsOfOneAreNone) {
   EXPECT_EQ(solve(problem).cost, -5);
 }
 
+// 20 singletons of 1e308: no solution can be named, and none is claimed.
+TEST(ManyToOneOnce, NamesNoSolutionWhoseCostOverflows) {
+  for (const double cost : {1e308, -1e308}) {
+    ProblemBuilder builder({2, 2});
+    builder.add_arc({1, 1}, -3);
+    builder.add_arc({1, 0}, cost);
+    builder.set_use_bounds(0, 1, {20, 20});
+    const Problem problem = std::move(builder).build();
+    const Solution solution = solve(problem);
+    EXPECT_EQ(solution.status, Status::kPrecisionLost);
+    EXPECT_TRUE(solution.solutions.empty());
+    EXPECT_EQ(solution.cost, kInfinity);
+    EXPECT_TRUE(check(problem, solution).faults.empty());
+  }
+}
+
 }  // namespace
 }  // namespace nda
