@@ -33,6 +33,11 @@ void* operator new(std::size_t size) {
 void* operator new[](std::size_t size) {
   return nda::support::counted_allocation(size);
 }
+// What std::stable_sort asks.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  ++nda::support::num_allocations;
+  return std::malloc(size == 0 ? 1 : size);
+}
 void operator delete(void* memory) noexcept {
   std::free(memory);
 }
