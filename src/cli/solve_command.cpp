@@ -351,18 +351,18 @@ void add_warm_start(CLI::App& parser, const std::shared_ptr<SolveArguments>& arg
                         arguments->warm_start,
                         "start from what --save-warm-start wrote, as of the window before");
   file->check(file_name());
-  parser
-      .add_option("--shift",
-                  arguments->shift,
-                  "the window dropped so many dimensions since, and gained as many at its end")
-      ->check(whole_number())
-      ->needs(file);
+  CLI::Option* shift =
+      parser.add_option("--shift",
+                        arguments->shift,
+                        "the window dropped so many dimensions since, and gained as many at its "
+                        "end");
+  shift->check(whole_number())->needs(file);
   parser
       .add_option("--keep",
                   arguments->keep,
                   "but kept so many at its front, as a list of tracks (with --shift)")
       ->check(whole_number())
-      ->needs(file);
+      ->needs(shift);
   parser
       .add_option("--save-warm-start",
                   arguments->save_warm_start,

@@ -196,6 +196,7 @@ TEST(SolveCommand, NamesWhatIsWrongInOneShortLine) {
        "nda: method 'magic' is not known; there are auto, relaxation or exact, and for the dual "
        "bundle, subgradient, volume or coordinate\n"},
       {"a.nda --preset magic", "nda: preset 'magic' is not known"},
+      {"a.nda --warm-start a.json --keep 1", "nda: --keep requires --shift"},
       {"a.nda --marginals", "nda: --marginals requires --k ("},
       {"a.nda --k 2 --cost-per-nat 2", "nda: --cost-per-nat requires --marginals ("},
       {"a.nda --k 2 --marginals --cost-per-nat 0",
