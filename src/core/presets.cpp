@@ -69,17 +69,14 @@ void poore_rijavec_1993(Options& options) {
 }
 
 void deb_1992(Options& options) {
-  relaxation_alone(options);
+  poore_rijavec_1993(options);
   RelaxationOptions& relaxation = options.relaxation;
-  relaxation.kept_sets = kAllButOne;
   relaxation.kept_exact_arcs = 0;
   relaxation.kept_nodes = 0;
-  relaxation.kept_evaluations = kOneStep;
   relaxation.merit = false;
   relaxation.decompose = false;
   relaxation.dual_method = DualMethod::kSubgradient;
-  relaxation.max_evaluations = kStepsOf1993;
-  relaxation.recovery_evaluations = kOneStep;
+  relaxation.kept_evaluations = relaxation.recovery_evaluations = kOneStep;
   relaxation.recovery_interval = 1;
 }
 

@@ -133,7 +133,7 @@ void ProblemBuilder::set_use_bounds(int k, Index i, UseBounds bounds) {
                      std::to_string(n));
   }
   const std::size_t dimension = static_cast<std::size_t>(k);
-  const std::string name = "index " + std::to_string(i) + " of dimension " + std::to_string(k + 1);
+  const std::string name = core::index_text(dimension, i);
   const Index size = problem_.sizes_[dimension];
   if (i == 0)
     throw InputError("the dummy of dimension " + std::to_string(k + 1) + " has no bounds");

@@ -7,6 +7,7 @@
 
 #include "bounded/split.hpp"
 #include "core/fault_text.hpp"
+#include "solve/supervision.hpp"
 
 namespace nda::pipeline {
 namespace {
@@ -156,7 +157,7 @@ ComponentReport BoundedPart::report() const {
     line.status = Status::kInfeasible;
     line.lower_bound = kInfinity;
   } else if (known.complete && !is_feasible_) {
-    line.status = deadline_.interrupted() ? Status::kInterrupted : Status::kTimeLimit;
+    line.status = out_of_time(deadline_);
   }
   return line;
 }

@@ -6,6 +6,7 @@
 
 #include "core/double_double.hpp"
 #include "nda/check.hpp"
+#include "solve/solutions.hpp"
 
 namespace nda::pipeline {
 namespace {
@@ -56,14 +57,20 @@ std::string figure_text(double figure) {
   return text;
 }
 
+bool is_negligible(const Problem& problem, double difference, double cost) {
+  return difference <= 1e-9 * std::abs(cost) || difference <= 1e-9 * smallest_cost(problem);
+}
+
+std::string rounding_reason(double error) {
+  return "the rounding of the costs hides differences of " + figure_text(error);
+}
+
 std::string overflow_reason(double largest) {
   return "costs as large as " + figure_text(largest) + " overflow, scale them";
 }
 
 Solution overflow(const Problem& problem, double largest) {
-  Solution solution;
-  solution.sizes.assign(problem.sizes().begin(), problem.sizes().end());
-  solution.num_arcs = problem.num_arcs();
+  Solution solution = solution_of(problem);
   solution.status = Status::kPrecisionLost;
   core::DoubleDouble alone;
   for (int k = 0; k < problem.num_dimensions(); ++k) {

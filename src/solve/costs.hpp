@@ -23,6 +23,12 @@ double off_grid(const Problem& problem, double cost);
 /// A cost for a sentence: three digits.
 std::string figure_text(double figure);
 
+/// Too small to matter beside the cost of a solution or beside any cost there is.
+bool is_negligible(const Problem& problem, double difference, double cost);
+
+/// Why a search to its end proves nothing: differences of costs by `error` are lost.
+std::string rounding_reason(double error);
+
 /// Why nothing is searched where costs are as large as that.
 std::string overflow_reason(double largest);
 

@@ -18,6 +18,7 @@
 #include "solve/costs.hpp"
 #include "solve/parallel.hpp"
 #include "solve/process.hpp"
+#include "solve/solutions.hpp"
 #include "solve/supervision.hpp"
 #include "solve/uses.hpp"
 
@@ -68,9 +69,7 @@ class ManyToOne {
   }
 
   void prepare() {
-    core::DoubleDouble constant(split_.constant);
-    for (const double cost : split_.taken_cost) constant.add(cost);
-    monitor_.begin(constant.high(), split_.parts.size() + 1, split_.parts.size() + 1);
+    monitor_.begin(settled_cost().high(), split_.parts.size() + 1, split_.parts.size() + 1);
     std::stable_sort(split_.parts.begin(), split_.parts.end(), [](const auto& a, const auto& b) {
       return a.num_arcs() < b.num_arcs();
     });
@@ -158,9 +157,15 @@ class ManyToOne {
     return !(cost - total(false) <= options_.relative_gap * std::abs(cost));
   }
 
-  double total(bool of_cost) const {
+  // What is known without a search.
+  core::DoubleDouble settled_cost() const {
     core::DoubleDouble sum(split_.constant);
     for (const double cost : split_.taken_cost) sum.add(cost);
+    return sum;
+  }
+
+  double total(bool of_cost) const {
+    core::DoubleDouble sum = settled_cost();
     sum.add(of_cost ? rest_->cost : rest_->lower_bound);
     for (const auto& part : parts_)
       sum.add(of_cost ? part->state().best.cost : part->lower_bound());
@@ -174,20 +179,13 @@ class ManyToOne {
     return sum + 0x1p-50 * (std::abs(total(true)) + std::abs(split_.constant));
   }
 
-  Solution make_empty() const {
-    Solution solution;
-    solution.sizes.assign(problem_.sizes().begin(), problem_.sizes().end());
-    solution.num_arcs = problem_.num_arcs();
-    return solution;
-  }
-
   void set_time(Solution& solution) const {
     solution.stats.solve_seconds = deadline_.seconds();
     solution.stats.peak_memory_bytes = peak_memory_bytes();
   }
 
   Solution infeasible(const std::string& reason) const {
-    Solution solution = make_empty();
+    Solution solution = solution_of(problem_);
     solution.status = Status::kInfeasible;
     solution.lower_bound = kInfinity;
     solution.stats.bound_by_branching = true;
@@ -198,8 +196,8 @@ class ManyToOne {
 
   // The deadline struck before anything was known: nothing chosen, if that is a solution.
   Solution without_search() const {
-    Solution solution = make_empty();
-    solution.status = out_of_time();
+    Solution solution = solution_of(problem_);
+    solution.status = out_of_time(deadline_);
     offer(solution, {});
     for (const Index size : problem_.sizes()) solution.multipliers.emplace_back(size, 0.0);
     set_certificate(solution);
@@ -213,10 +211,6 @@ class ManyToOne {
     solution.status = Status::kPrecisionLost;
     solution.reason = overflow_reason(largest);
     return solution;
-  }
-
-  Status out_of_time() const {
-    return deadline_.interrupted() ? Status::kInterrupted : Status::kTimeLimit;
   }
 
   // The solution of these arcs, if all that must be used are and its cost does not overflow.
@@ -235,7 +229,7 @@ class ManyToOne {
   }
 
   Solution merge() {
-    Solution solution = make_empty();
+    Solution solution = solution_of(problem_);
     solution.num_components = rest_->num_components + split_.taken.size() + parts_.size();
     merge_stats(solution);
     for (const auto& part : parts_) {
@@ -328,13 +322,9 @@ class ManyToOne {
     solution.lower_bound = std::min(std::max(certificate, searched), solution.cost);
     const bool is_zero = solution.cost == 0 && solution.lower_bound == 0;
     if (!is_zero && !solution.solutions.empty() &&
-        is_negligible(solution.cost - certificate, solution.cost))
+        is_negligible(problem_, solution.cost - certificate, solution.cost))
       solution.lower_bound = std::min(certificate, solution.cost);
     solution.stats.bound_by_branching = solution.lower_bound > certificate;
-  }
-
-  bool is_negligible(double difference, double cost) const {
-    return difference <= 1e-9 * std::abs(cost) || difference <= 1e-9 * smallest_cost(problem_);
   }
 
   void set_status(Solution& solution) const {
@@ -344,13 +334,12 @@ class ManyToOne {
     }
     const double open = solution.cost - solution.stats.certificate_bound;
     if (is_complete() &&
-        (is_on_grid() || is_negligible(std::min(2 * error(), open), solution.cost))) {
+        (is_on_grid() || is_negligible(problem_, std::min(2 * error(), open), solution.cost))) {
       solution.status = Status::kOptimal;
       solution.proven = solution.solutions.front().proven = true;
     } else if (is_complete() || rest_->status == Status::kPrecisionLost) {
       solution.status = Status::kPrecisionLost;
-      solution.reason =
-          "the rounding of the costs hides differences of " + figure_text(2 * error());
+      solution.reason = rounding_reason(2 * error());
     } else if (options_.relative_gap > 0 && solution.relative_gap() <= options_.relative_gap) {
       solution.status = Status::kGapReached;
     } else {
@@ -360,13 +349,12 @@ class ManyToOne {
 
   // The gravest reason of what is not complete.
   Status why_stopped() const {
-    for (const Status status :
-         {Status::kInterrupted, Status::kTimeLimit, Status::kNodeLimit, Status::kIterationLimit}) {
+    for (const Status status : kReasonsToStop) {
       const auto stopped_so = [&](const auto& part) { return part->state().stopped == status; };
       if (rest_->status == status || std::any_of(parts_.begin(), parts_.end(), stopped_so))
         return status;
     }
-    return deadline_.reached() ? out_of_time() : Status::kGapReached;
+    return deadline_.reached() ? out_of_time(deadline_) : Status::kGapReached;
   }
 
   void merge_stats(Solution& solution) const {

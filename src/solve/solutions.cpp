@@ -6,6 +6,13 @@ namespace nda::pipeline {
 
 using core::ArcId;
 
+Solution solution_of(const Problem& problem) {
+  Solution solution;
+  solution.sizes.assign(problem.sizes().begin(), problem.sizes().end());
+  solution.num_arcs = problem.num_arcs();
+  return solution;
+}
+
 Coverage coverage(const Problem& problem, std::span<const ArcId> arcs) {
   Coverage covered;
   for (int k = 0; k < problem.num_dimensions(); ++k) {

@@ -9,6 +9,9 @@
 
 namespace nda::pipeline {
 
+/// An empty solution of this problem: sizes and number of arcs are set.
+Solution solution_of(const Problem& problem);
+
 /// [k][i]: whether an arc uses the index; entry 0 stands for the dummy.
 using Coverage = std::vector<std::vector<bool>>;
 Coverage coverage(const Problem& problem, std::span<const core::ArcId> arcs);

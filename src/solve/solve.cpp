@@ -240,9 +240,7 @@ class Pipeline {
   }
 
   Solution merge() {
-    Solution solution;
-    solution.sizes.assign(problem_.sizes().begin(), problem_.sizes().end());
-    solution.num_arcs = problem_.num_arcs();
+    Solution solution = pipeline::solution_of(problem_);
     solution.num_components = parts_.size();
     merge_arcs(solution);
     for (const Part& part : parts_) {
@@ -290,7 +288,7 @@ class Pipeline {
                          state.method};
     line.lower_bound = std::min(line.lower_bound, line.cost);  // the base may be rounded away
     if (state.complete && !feasible) {
-      line.status = shift_.is_enough ? Status::kInfeasible : out_of_time();
+      line.status = shift_.is_enough ? Status::kInfeasible : pipeline::out_of_time(deadline_);
       if (shift_.is_enough) line.lower_bound = kInfinity;
     }
     solution.components.push_back(std::move(line));
@@ -371,16 +369,10 @@ class Pipeline {
       // Where the certificate meets the cost by itself, what branching adds is mere rounding; but
       // an exact bound on a cost of 0 is more than a small difference.
       const bool is_zero = solution.cost == 0 && solution.lower_bound == 0;
-      if (!is_zero && negligible(solution.cost - certificate, solution.cost))
+      if (!is_zero && pipeline::is_negligible(problem_, solution.cost - certificate, solution.cost))
         solution.lower_bound = certificate;
     }
     solution.stats.bound_by_branching = solution.lower_bound > certificate;
-  }
-
-  // Too small to matter beside the cost or beside any cost there is.
-  bool negligible(double difference, double cost) const {
-    return difference <= 1e-9 * std::abs(cost) ||
-           difference <= 1e-9 * pipeline::smallest_cost(problem_);
   }
 
   double bound_of_parts(const Solution& solution) const {
@@ -412,13 +404,13 @@ class Pipeline {
     if (!missing_.empty()) return set_infeasible(solution, complete || infeasible);
     // However coarse the search was, a certificate that meets the cost is beyond doubt.
     const double open = solution.cost - solution.stats.certificate_bound;
-    if (complete && (on_grid || negligible(std::min(error, open), solution.cost))) {
+    if (complete &&
+        (on_grid || pipeline::is_negligible(problem_, std::min(error, open), solution.cost))) {
       solution.status = Status::kOptimal;
       solution.proven = solution.solutions.front().proven = true;
     } else if (complete) {
       solution.status = Status::kPrecisionLost;
-      solution.reason =
-          "the rounding of the costs hides differences of " + pipeline::figure_text(error);
+      solution.reason = pipeline::rounding_reason(error);
     } else if (options_.relative_gap > 0 && solution.relative_gap() <= options_.relative_gap) {
       solution.status = Status::kGapReached;
     } else {
@@ -428,18 +420,13 @@ class Pipeline {
 
   // The gravest reason of the components that are not complete.
   Status why_stopped() const {
-    if (!is_bounded_) return out_of_time();
-    for (const Status status :
-         {Status::kInterrupted, Status::kTimeLimit, Status::kNodeLimit, Status::kIterationLimit}) {
+    if (!is_bounded_) return pipeline::out_of_time(deadline_);
+    for (const Status status : pipeline::kReasonsToStop) {
       const auto stopped_so = [&](const Part& part) { return part.state().stopped == status; };
       if (std::any_of(parts_.begin(), parts_.end(), stopped_so)) return status;
     }
     // Something complete is uncovered: there was no time for a higher penalty.
-    return missing_.empty() ? Status::kGapReached : out_of_time();
-  }
-
-  Status out_of_time() const {
-    return deadline_.interrupted() ? Status::kInterrupted : Status::kTimeLimit;
+    return missing_.empty() ? Status::kGapReached : pipeline::out_of_time(deadline_);
   }
 
   void set_infeasible(Solution& solution, bool complete) {

@@ -5,9 +5,19 @@
 
 #include "core/clock.hpp"
 #include "nda/options.hpp"
+#include "nda/solution.hpp"
 #include "solve/monitor.hpp"
 
 namespace nda::pipeline {
+
+/// What may stop the work on a part, the gravest first.
+inline constexpr Status kReasonsToStop[] = {
+    Status::kInterrupted, Status::kTimeLimit, Status::kNodeLimit, Status::kIterationLimit};
+
+/// Of a deadline that was reached: by a request to stop or by the clock.
+inline Status out_of_time(const core::Deadline& deadline) {
+  return deadline.interrupted() ? Status::kInterrupted : Status::kTimeLimit;
+}
 
 /// Whom a run obeys and whom it tells: the limit of time, the caller's request to stop and the
 /// callback, which may ask to stop as well.  The deadline knows of all three, and whoever asks it
