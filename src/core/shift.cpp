@@ -102,8 +102,9 @@ Shift make_shift(const Problem& problem, const Deadline& deadline, double most_p
     for (const double cost : problem.singleton_costs(k)) {
       base.push_back(cost < kInfinity ? cost : shift.penalty);
       shift.constant += base.back();
-      shift.is_free = shift.is_free && base.back() == 0;
     }
+    if (std::any_of(base.begin(), base.end(), [](double charge) { return charge != 0; }))
+      shift.charged.push_back(k);
   }
   return shift;
 }

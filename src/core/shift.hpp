@@ -23,11 +23,11 @@ namespace nda::core {
 struct Shift {
   std::vector<std::vector<double>> base;  ///< [k][i], entry 0 is 0
   std::vector<std::uint32_t>
-      offset;             ///< slot of the dummy of dimension k; slot(k, i) = offset[k] + i
-  double constant = 0;    ///< sum of all base: the cost of choosing nothing
-  double penalty = 0;     ///< 0 when no singleton is forbidden
-  bool is_enough = true;  ///< no best solution pays the penalty where any solution does not
-  bool is_free = true;    ///< every charge is 0: c' = c
+      offset;                ///< slot of the dummy of dimension k; slot(k, i) = offset[k] + i
+  double constant = 0;       ///< sum of all base: the cost of choosing nothing
+  double penalty = 0;        ///< 0 when no singleton is forbidden
+  bool is_enough = true;     ///< no best solution pays the penalty where any solution does not
+  std::vector<int> charged;  ///< dimensions with a charge that is not 0
 };
 
 /// @param most_penalty  >= 1: the penalty is no higher, even if that is not enough.  High ones hide
@@ -43,12 +43,9 @@ Shift make_shift(const Problem& problem,
 
 /// c'[a], rounded once: charges may cancel, and then what is left of the cost decides.
 inline double shifted_cost(const Problem& problem, const Shift& shift, std::size_t a) {
-  if (shift.is_free) return problem.costs()[a];
   DoubleDouble cost(problem.costs()[a]);
-  for (int k = 0; k < problem.num_dimensions(); ++k) {
-    const double charge = shift.base[static_cast<std::size_t>(k)][problem.indices(k)[a]];
-    if (charge != 0) cost.add(-charge);
-  }
+  for (const int k : shift.charged)
+    cost.add(-shift.base[static_cast<std::size_t>(k)][problem.indices(k)[a]]);
   return cost.high();
 }
 

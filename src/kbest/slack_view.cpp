@@ -27,11 +27,11 @@ SlackView::SlackView(const Problem& problem,
 }
 
 void SlackView::price_indices(const Solution& solution) {
-  multipliers_.is_free = false;
   for (int k = 0; k < problem_.num_dimensions(); ++k) {
     const std::vector<double>& u = solution.multipliers[static_cast<std::size_t>(k)];
     offset_.push_back(price_.size());
     multipliers_.offset.push_back(static_cast<std::uint32_t>(price_.size()));
+    multipliers_.charged.push_back(k);
     multipliers_.base.push_back({0});
     multipliers_.base.back().insert(multipliers_.base.back().end(), u.begin(), u.end());
     price_.push_back(0);

@@ -5,7 +5,6 @@
 #include <numeric>
 #include <utility>
 
-#include "core/double_double.hpp"
 #include "core/slices.hpp"
 #include "recovery/greedy.hpp"
 #include "relax/ascent.hpp"
@@ -35,28 +34,13 @@ constexpr int kSweeps = 5;
 // A part is cut again where its own gap leaves less than this share of its arcs.
 constexpr double kWorthCutting = 0.7;
 
-// The dimensions whose indices are charged anything.
-std::vector<int> charged_dimensions(const core::Shift& shift) {
-  std::vector<int> charged;
-  for (std::size_t k = 0; k < shift.base.size(); ++k) {
-    const std::vector<double>& base = shift.base[k];
-    if (std::any_of(base.begin(), base.end(), [](double charge) { return charge != 0; }))
-      charged.push_back(static_cast<int>(k));
-  }
-  return charged;
-}
-
 // The arcs that improve on their singletons.
 Component live_part(const Problem& problem,
                     const core::Shift& shift,
                     const core::Deadline& deadline) {
-  const std::vector<int> charged = charged_dimensions(shift);
   std::vector<ArcId> live;
   const auto note = [&](std::size_t a) {
-    core::DoubleDouble cost(problem.costs()[a]);
-    for (const int k : charged)
-      cost.add(-shift.base[static_cast<std::size_t>(k)][problem.indices(k)[a]]);
-    if (cost.high() < 0) live.push_back(static_cast<ArcId>(a));
+    if (core::shifted_cost(problem, shift, a) < 0) live.push_back(static_cast<ArcId>(a));
   };
   if (!core::for_each_until(deadline, problem.num_arcs(), note)) return {};
   return core::Cutter().cut(problem, shift, live, deadline);
