@@ -210,12 +210,11 @@ void require_good_output(const std::string& output, const std::string& input) {
   require_other_file(output, input);
 }
 
-// A proof of the k best starts from the best alone, and a warm start is of use for that only.
 Solution solve_problem(const Problem& problem,
                        const SolveArguments& arguments,
                        const WarmStart& warm_start,
                        const Options& options) {
-  if (arguments.k == 1) return solve(problem, options, warm_start);
+  if (!arguments.warm_start.empty()) return solve(problem, options, warm_start);
   return solve_k_best(problem, arguments.k, options);
 }
 

@@ -24,6 +24,17 @@ const std::string kProblem = "p nda 3 1 1 1 3\na 1 1 0 -1\na 1 0 1 -1\na 0 1 1 -
 // Two rows that need the same column.
 const std::string kInfeasible = "p nda 2 2 1 4\na 1 1 3\na 2 1 4\na 1 0 inf\na 2 0 inf\n";
 
+// Partial branch and bound is a way to one good solution, too.
+TEST(SolveCommand, RanksByAlignmentsForOneSolution) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run(folder, "nda generate six-scan -o six.nda").code, 0);
+  const auto cost = [&](const std::string& preset) {
+    const Outcome outcome = run(folder, "nda solve six.nda -q --json --preset " + preset);
+    return solution_from_json(outcome.output).cost;
+  };
+  EXPECT_LT(cost("partial-bnb"), cost("poore-1995"));
+}
+
 TEST(SolveCommand, PrintsASummaryAndWritesTheSolution) {
   const TemporaryFolder folder;
   write_file(folder / "a.nda", kProblem);
