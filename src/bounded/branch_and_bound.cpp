@@ -10,6 +10,7 @@
 #include "bounded/cut_pool.hpp"
 #include "bounded/descent.hpp"
 #include "bounded/relaxed_program.hpp"
+#include "core/cheapest.hpp"
 
 // A node is a list of arcs that are used or not, kept as a chain of decisions up to the root.  One
 // linear program serves all nodes: going from one to another changes bounds of columns only, after
@@ -129,15 +130,11 @@ SearchEnd Search::search() {
 
 // Column generation; false at the deadline.
 bool Search::solve_root() {
-  std::vector<std::pair<double, ArcId>> order;
-  for (ArcId a = 0; a < component_.num_arcs(); ++a)
-    order.emplace_back(core::reduced_cost(component_.graph, result_.u, a), a);
-  const std::size_t count =
-      std::min(order.size(), kFirstColumnsPerIndex * component_.rows.size() + 1);
-  std::nth_element(
-      order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count) - 1, order.end());
-  std::vector<ArcId> first(result_.best.arcs);
-  for (std::size_t n = 0; n < count; ++n) first.push_back(order[n].second);
+  std::vector<ArcId> first = core::all_arcs(component_.graph);
+  core::keep_cheapest(first, kFirstColumnsPerIndex * component_.rows.size() + 1, [&](ArcId a) {
+    return core::reduced_cost(component_.graph, result_.u, a);
+  });
+  first.insert(first.end(), result_.best.arcs.begin(), result_.best.arcs.end());
   std::sort(first.begin(), first.end());
   first.erase(std::unique(first.begin(), first.end()), first.end());
   program_.add_arcs(first);
@@ -154,26 +151,18 @@ bool Search::solve_root() {
 // first; false when there are none.
 bool Search::price() {
   std::vector<double> u = program_.multipliers();
-  std::vector<std::pair<double, ArcId>> cheap;
+  const auto reduced = [&](ArcId a) { return core::reduced_cost(component_.graph, u, a); };
+  std::vector<ArcId> added;
   for (ArcId a = 0; a < component_.num_arcs(); ++a) {
-    if (program_.has(a)) continue;
-    const double r = core::reduced_cost(component_.graph, u, a);
-    if (r < 0) cheap.emplace_back(r, a);
+    if (!program_.has(a) && reduced(a) < 0) added.push_back(a);
   }
+  core::keep_cheapest(added, kColumnsPerIndex * component_.rows.size() + 1, reduced);
   const double bound = lagrangian_bound(component_, u);
   if (bound > result_.certificate) {
     result_.certificate = bound;
     result_.u = std::move(u);
     raise(bound);
   }
-  const std::size_t most = kColumnsPerIndex * component_.rows.size() + 1;
-  if (cheap.size() > most) {
-    std::nth_element(cheap.begin(), cheap.begin() + static_cast<std::ptrdiff_t>(most), cheap.end());
-    cheap.resize(most);
-  }
-  std::vector<ArcId> added;
-  for (const auto& [r, a] : cheap) added.push_back(a);
-  std::sort(added.begin(), added.end());
   program_.add_arcs(added);
   return !added.empty() && !is_closed();
 }

@@ -1,7 +1,5 @@
 #include "bounded/cut_pool.hpp"
 
-#include <algorithm>
-
 #include "cutting/separation.hpp"
 
 namespace nda::bounded {
@@ -43,10 +41,7 @@ std::size_t CutPool::separate(RelaxedProgram& program, const core::Deadline& dea
     const auto more = separator.search(pattern, kEffort, random_, deadline);
     found.insert(found.end(), more.begin(), more.end());
   }
-  std::stable_sort(found.begin(), found.end(), [](const auto& one, const auto& other) {
-    return one.violation > other.violation;
-  });
-  if (found.size() > kMostCutsAtOnce) found.resize(kMostCutsAtOnce);
+  cutting::keep_most_violated(found, kMostCutsAtOnce);
   for (const cutting::ViolatedCut& violated : found) {
     cuts_.push_back({lister_.list(violated.cut, arcs_), violated.cut.right_side()});
     program.add_cut(cuts_.back().entries, cuts_.back().right_side);

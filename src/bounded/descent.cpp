@@ -16,7 +16,10 @@ constexpr std::size_t kArcsPerLook = 1024;
 class Descent {
  public:
   explicit Descent(const BoundedComponent& component)
-      : component_(component), graph_(component.graph), on_(component.rows.size()) {}
+      : component_(component),
+        graph_(component.graph),
+        is_chosen_(component.num_arcs(), false),
+        on_(component.rows.size()) {}
 
   void fill(std::span<const ArcId> order) {
     for (const ArcId a : order) {
@@ -30,34 +33,22 @@ class Descent {
     std::size_t looked_at = 0;
     for (const ArcId a : order) {
       if (looked_at++ % kArcsPerLook == 0 && deadline.reached()) return false;
-      changed = (is_chosen(a) ? leave(a) : enter(a)) || changed;
+      changed = (is_chosen_[a] ? leave(a) : enter(a)) || changed;
     }
     return changed;
   }
 
   std::vector<ArcId> arcs() const {
     std::vector<ArcId> arcs;
-    for (std::size_t slot = 0; slot < on_.size(); ++slot)
-      arcs.insert(arcs.end(), on_[slot].begin(), on_[slot].end());
-    std::sort(arcs.begin(), arcs.end());
-    arcs.erase(std::unique(arcs.begin(), arcs.end()), arcs.end());
+    for (ArcId a = 0; a < is_chosen_.size(); ++a) {
+      if (is_chosen_[a]) arcs.push_back(a);
+    }
     return arcs;
   }
 
  private:
   const Row& row(std::uint32_t slot) const { return component_.rows[slot]; }
   Index uses(std::uint32_t slot) const { return static_cast<Index>(on_[slot].size()); }
-
-  bool is_chosen(ArcId a) const {
-    bool found = false;
-    bool looked = false;
-    core::for_each_slot(graph_, a, [&](std::uint32_t slot) {
-      if (looked) return;
-      looked = true;
-      found = std::find(on_[slot].begin(), on_[slot].end(), a) != on_[slot].end();
-    });
-    return found;
-  }
 
   bool fits(ArcId a) const {
     bool room = true;
@@ -83,10 +74,12 @@ class Descent {
   }
 
   void add(ArcId a) {
+    is_chosen_[a] = true;
     core::for_each_slot(graph_, a, [&](std::uint32_t slot) { on_[slot].push_back(a); });
   }
 
   void remove(ArcId a) {
+    is_chosen_[a] = false;
     core::for_each_slot(graph_, a, [&](std::uint32_t slot) { std::erase(on_[slot], a); });
   }
 
@@ -129,6 +122,7 @@ class Descent {
 
   const BoundedComponent& component_;
   const core::Component& graph_;
+  std::vector<bool> is_chosen_;         // [arc]
   std::vector<std::vector<ArcId>> on_;  // [slot]: chosen arcs
   std::vector<ArcId> removed_;
 };

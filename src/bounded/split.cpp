@@ -245,8 +245,7 @@ Split split(const Problem& problem, const core::Deadline& deadline) {
 }
 
 double largest_cost(const BoundedComponent& component) {
-  double largest = 0;
-  for (const double cost : component.graph.costs) largest = std::max(largest, std::abs(cost));
+  double largest = core::largest_cost(component.graph);
   for (const Row& row : component.rows) {
     if (!row.is_forced) largest = std::max(largest, std::abs(row.single));
   }

@@ -1,6 +1,7 @@
 #include "core/component.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -42,6 +43,12 @@ struct ProblemSource {
 };
 
 }  // namespace
+
+double largest_cost(const Component& component) {
+  double largest = 0;
+  for (const double cost : component.costs) largest = std::max(largest, std::abs(cost));
+  return largest;
+}
 
 Packing make_packing(const Component& component, std::vector<ArcId> arcs) {
   std::sort(arcs.begin(), arcs.end());

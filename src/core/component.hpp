@@ -72,6 +72,9 @@ struct Packing {
   double cost = 0;
 };
 
+/// Largest |c'| of the arcs; 0 without any.
+double largest_cost(const Component& component);
+
 /// The packing of these arcs: ascending, the cost summed in that order.
 Packing make_packing(const Component& component, std::vector<ArcId> arcs);
 

@@ -20,16 +20,6 @@ constexpr int kMostIdle = 3;
 constexpr int kLongestPause = 7;
 constexpr int kPatience = 2;
 
-// The most violated cuts.
-void keep_best(std::vector<ViolatedCut>& cuts, std::size_t most) {
-  const auto order = [](const ViolatedCut& a, const ViolatedCut& b) {
-    if (a.violation != b.violation) return a.violation > b.violation;
-    return a.cut.slots < b.cut.slots;
-  };
-  std::sort(cuts.begin(), cuts.end(), order);
-  if (cuts.size() > most) cuts.resize(most);
-}
-
 // Separation by all patterns in turn.  One that finds nothing pauses, each time for longer.
 class Separation {
  public:
@@ -45,7 +35,7 @@ class Separation {
       if (pauses_[p].skip()) continue;
       std::vector<ViolatedCut> more = separator.search(patterns()[p], effort, random_, deadline_);
       pauses_[p].note(!more.empty());
-      keep_best(more, kLeastCuts);
+      keep_most_violated(more, kLeastCuts);
       found.insert(found.end(), more.begin(), more.end());
     }
     return found;
@@ -116,7 +106,7 @@ CutLoopEnd run_cut_loop(const core::Component& component,
     }
     if (options.leaf != nullptr) options.leaf->earn(separator.work());
     if (options.work != nullptr) *options.work += separator.work();
-    keep_best(cuts, std::max(kLeastCuts, component.num_indices() / 5));
+    keep_most_violated(cuts, std::max(kLeastCuts, component.num_indices() / 5));
     for (const ViolatedCut& violated : cuts) master.add(violated.cut);
   }
   return CutLoopEnd::kStalled;

@@ -51,6 +51,15 @@ std::size_t hash_of(const Cut& cut) {
 
 }  // namespace
 
+void keep_most_violated(std::vector<ViolatedCut>& cuts, std::size_t most) {
+  const auto order = [](const ViolatedCut& a, const ViolatedCut& b) {
+    if (a.violation != b.violation) return a.violation > b.violation;
+    return a.cut.slots < b.cut.slots;
+  };
+  std::sort(cuts.begin(), cuts.end(), order);
+  if (cuts.size() > most) cuts.resize(most);
+}
+
 std::span<const Pattern> patterns() {
   return kPatterns;
 }

@@ -18,6 +18,9 @@ struct ViolatedCut {
   double violation;
 };
 
+/// Keeps so many of them, the most violated first.
+void keep_most_violated(std::vector<ViolatedCut>& cuts, std::size_t most);
+
 /// Weights of a cut before rows are chosen for them: descending, below the divisor.
 struct Pattern {
   std::vector<std::uint8_t> weights;

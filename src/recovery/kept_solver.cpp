@@ -1,7 +1,6 @@
 #include "recovery/kept_solver.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 #include "bnb/enumerate.hpp"
@@ -33,9 +32,7 @@ constexpr std::int64_t kEarlyNodes = 200;
 
 // What sums of costs or multipliers may round off.
 double rounding(const Component& problem) {
-  double largest = 0;
-  for (const double cost : problem.costs) largest = std::max(largest, std::abs(cost));
-  return 0x1p-50 * static_cast<double>(problem.num_indices()) * largest;
+  return 0x1p-50 * static_cast<double>(problem.num_indices()) * core::largest_cost(problem);
 }
 
 class KeptSearch {

@@ -92,9 +92,7 @@ double dearest_covering(const Component& component, const std::vector<bool>& req
 }  // namespace
 
 Precision precision_of(const Component& component, const core::CostGrid& grid) {
-  double largest = 0;
-  for (const double cost : component.costs) largest = std::max(largest, std::abs(cost));
-  return precision_of(component.num_indices(), largest, grid);
+  return precision_of(component.num_indices(), core::largest_cost(component), grid);
 }
 
 Precision precision_of(std::size_t num_indices, double largest, const core::CostGrid& grid) {
