@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 """Every public instance of ../shared/data/arcs, solved and judged.
 
-    bench/instances.py [--time-limit S] [--csv FILE] [--markdown FILE] [PATTERN...]
+    bench/instances.py [--time-limit S] [--seed N] [--csv FILE] [--markdown FILE] [PATTERN...]
 
 solves each file on one core with build/release/nda, has `nda check` verify the solution and the proof of its bound, and compares cost and bound with the listed
-reference values: cost within 1 % (tracking, real, assignment) or within 5 % or 3 units (the others), bound never below the listed
+reference values: cost within 1 % (tracking, real, assignment), no more than the best known (set packing) or within 5 % or 3 units (the others), bound never below the listed
 value of the linear relaxation by more than 0.1 %, proven optimal wherever that value equals the optimum.  PATTERN selects files
 by a part of their path.  Exit code 1 when a file misses a mark.  docs/benchmarks/instances.md is written by
 
@@ -77,10 +77,10 @@ def is_close_family(path):
     return path.parent.name in ("real", "lap_orlib", "kim2010_4x4x4") or path.name.startswith("tracking-")
 
 
-def run(path, time_limit, folder):
+def run(path, limits, folder):
     output, proof = folder / "solution.json", folder / "proof.gz"
     subprocess.run(
-        [NDA, "solve", "--quiet", path, "--time-limit", str(time_limit), "--output", output, "--proof", proof],
+        [NDA, "solve", "--quiet", path, *limits, "--output", output, "--proof", proof],
         stdout=subprocess.DEVNULL,
         check=False,
     )
@@ -100,6 +100,9 @@ def faults(path, solution, checked, best, relaxation):
     excess = solution["cost"] - best
     if is_close_family(path):
         if excess > 0.01 * abs(best):
+            found.append("cost")
+    elif path.parent.name == "setpacking":
+        if excess > 1e-6:
             found.append("cost")
     elif excess > 0.05 * abs(best) and excess > 3:
         found.append("cost")
@@ -159,9 +162,9 @@ def page(table, limit):
     )
 
 
-def judge(path, known, time_limit, folder):
+def judge(path, known, limits, folder):
     best, relaxation = known[path.name]
-    solution, checked = run(path, time_limit, folder)
+    solution, checked = run(path, limits, folder)
     cost = solution["cost"] if isinstance(solution["cost"], (int, float)) else float("inf")
     bound = solution["lower_bound"]
     return Row(
@@ -190,18 +193,20 @@ def print_row(row):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--time-limit", type=float, default=60.0)
+    parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--csv", type=pathlib.Path)
     parser.add_argument("--markdown", type=pathlib.Path)
     parser.add_argument("pattern", nargs="*")
     arguments = parser.parse_args()
     known = references()
+    limits = ["--time-limit", str(arguments.time_limit), "--seed", str(arguments.seed)]
     table = []
     print(f"{'file':38} {'best known':>14} {'cost':>14} {'lower bound':>14} {'gap %':>8} {'s':>7} proven  misses")
     with tempfile.TemporaryDirectory() as folder:
         for path in sorted(ARCS.glob("*/*.nda*")):
             if arguments.pattern and not any(p in str(path) for p in arguments.pattern):
                 continue
-            table.append(judge(path, known, arguments.time_limit, pathlib.Path(folder)))
+            table.append(judge(path, known, limits, pathlib.Path(folder)))
             print_row(table[-1])
     if arguments.csv:
         with arguments.csv.open("w", newline="") as file:
