@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <utility>
 
 #include "core/component.hpp"
+#include "recovery/annealing_search.hpp"
 #include "recovery/neighbourhood_search.hpp"
+#include "recovery/rivals.hpp"
 #include "recovery/slack_packing.hpp"
 #include "recovery/swap_search.hpp"
 
@@ -20,7 +24,10 @@ namespace {
 
 constexpr double kWorkPerIndex = 5000;  // of a round
 constexpr double kMergeShare = 0.5;     // of a round, for merging
-constexpr double kSupportShare = 0.1;   // of all work, for merging what the relaxed point uses
+constexpr double kSparse = 0.1;  // Rivals::density() below which annealing finds what swaps do not
+constexpr double kAnnealingShare = 2.0 / 3;  // there, of the work for swaps
+constexpr double kPopulations = 10;          // of annealed packings, one of them a tenth of that
+constexpr double kSupportShare = 0.1;        // of all work, for merging what the relaxed point uses
 constexpr std::size_t kPoolSize = 12;
 constexpr int kRoundsPerBest = 4;
 constexpr double kBetter = 1e-9;
@@ -68,14 +75,28 @@ class PoolSearch {
 
  private:
   void swap() {
-    SwapSearch search(problem_);
-    SwapSearch::Limits limits;
-    limits.max_starts = kPoolSize;
-    limits.deadline = options_.deadline;
-    const double end = std::min(work_ + options_.swap_work, options_.max_work);
-    for (double work = 1; work > 0 && work_ < end && !done(); work_ += work) {
-      limits.max_work = end - work_;
-      work = search.run(limits, random_, [&](Arcs packing) { keep(std::move(packing)); });
+    const Rivals rivals(problem_);
+    work_ += rivals.work();
+    const double annealing_work =
+        rivals.density() < kSparse ? kAnnealingShare * options_.swap_work : 0;
+    SwapSearch swaps(rivals);
+    run_until(work_ + options_.swap_work - annealing_work, [&](double work) {
+      return swaps.run({work, kPoolSize, options_.deadline}, random_, keep_found_);
+    });
+    AnnealingSearch annealing(rivals);
+    run_until(work_ + annealing_work, [&](double work) {
+      const double most = std::min(work, annealing_work / kPopulations);
+      return annealing.run({most, options_.deadline}, random_, keep_found_);
+    });
+  }
+
+  // search(most work) returns the work it took, 0 where there is nothing to search.
+  template <typename Search>
+  void run_until(double end, Search&& search) {
+    end = std::min(end, options_.max_work);
+    for (double work = 1; work > 0 && work_ < end && !done();) {
+      work = search(end - work_);
+      work_ += work;
       merge_pool();
     }
   }
@@ -152,6 +173,7 @@ class PoolSearch {
     keep(std::move(merged));
   }
 
+  const std::function<void(Arcs)> keep_found_ = [this](Arcs packing) { keep(std::move(packing)); };
   const bnb::SlackProblem& problem_;
   Arcs& best_;
   const PoolSearchOptions& options_;

@@ -13,8 +13,10 @@ struct PoolSearchOptions {
   double max_work = 0;  ///< of all searches (bnb::SlackLimits), some 3e8 a second
   /// From construction to merging; more where neighbourhoods must be large to be of use.
   double least_round_work = 0;
-  double swap_work = 0;  ///< of it, for swaps (recovery/swap_search.hpp) before anything else
-  double goal = 0;       ///< a slack that ends the search
+  /// Of it, for swaps before anything else, chosen by a tabu (recovery/swap_search.hpp), then at
+  /// random where arcs exclude few others (recovery/annealing_search.hpp).
+  double swap_work = 0;
+  double goal = 0;  ///< a slack that ends the search
   /// Arcs that good packings might consist of, such as those that a relaxed point uses.
   std::vector<std::uint32_t> support;
   /// Packings to start from; after those, randomised greedy ones.

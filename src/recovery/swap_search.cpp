@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "core/cheapest.hpp"
+#include "nda/types.hpp"
 
 // Where the linear relaxation is far off, slack is no guide, and a neighbourhood that can be
 // searched exactly is small.  But there steps cost little: the gain of every arc is kept up to
@@ -29,13 +29,10 @@ constexpr std::uint64_t kPatience = 4000;       // steps without a better packin
 constexpr std::size_t kStartsPerRandom = 4;
 constexpr double kKept = 0.6;  // of the members of the best packing found, in the other starts
 constexpr double kBetter = 1e-9;
-// A gain looked at, one changed, as work.
-constexpr double kWorkPerLook = 0.1;
-constexpr double kWorkPerChange = 0.25;
+constexpr double kWorkPerLook = 0.1;         // at a gain
 constexpr std::uint64_t kStepsPerLook = 64;  // at the clock
 
-// Arcs that are looked at together, so that the processor's vector unit takes several at once.
-constexpr std::size_t kBlock = 64;
+constexpr std::size_t kBlock = GainPacking::kBlock;
 
 // Halving is a maximum that compilers know to vectorise.
 double most_of(const double* gain, const double* closed) {
@@ -50,62 +47,24 @@ double most_of(const double* gain, const double* closed) {
 
 }  // namespace
 
-SwapSearch::SwapSearch(const bnb::SlackProblem& problem) : problem_(problem) {
-  const auto value = [&](std::uint32_t a) {
-    double saved = -problem.reduced(a);
-    for (const bnb::RowUse& use : problem.uses(a))
-      saved += problem.price(use.row) * use.coefficient;
-    return saved;
-  };
-  for (std::uint32_t a = 0; a < problem.num_arcs(); ++a) {
-    if (value(a) > 0) arcs_.push_back(a);
-  }
-  core::keep_cheapest(arcs_, kMostArcs, [&](std::uint32_t a) { return problem.reduced(a); });
-  for (const std::uint32_t a : arcs_) value_.push_back(value(a));
-  list_rivals();
-}
-
-void SwapSearch::list_rivals() {
-  const auto num_arcs = static_cast<std::uint32_t>(arcs_.size());
-  const core::Lists<std::uint32_t> of_index(problem_.num_indices(), [&](auto&& visit) {
-    for (std::uint32_t n = 0; n < num_arcs; ++n) {
-      for (const bnb::RowUse& use : problem_.index_uses(arcs_[n])) visit(use.row, n);
-    }
-  });
-  std::vector<std::uint32_t> seen_by(num_arcs, kNone);
-  rivals_ = core::Lists<std::uint32_t>(num_arcs, [&](auto&& visit) {
-    std::fill(seen_by.begin(), seen_by.end(), kNone);
-    for (std::uint32_t n = 0; n < num_arcs; ++n) {
-      seen_by[n] = n;
-      for (const bnb::RowUse& use : problem_.index_uses(arcs_[n])) {
-        work_ += static_cast<double>(of_index[use.row].size());
-        for (const std::uint32_t rival : of_index[use.row]) {
-          if (seen_by[rival] == n) continue;
-          seen_by[rival] = n;
-          visit(n, rival);
-        }
-      }
-    }
-  });
-}
-
 double SwapSearch::run(const Limits& limits,
                        core::Random& random,
                        const std::function<void(std::vector<std::uint32_t>)>& found) {
-  for (std::size_t n = 0; n < limits.max_starts && !arcs_.empty() && !stopped(limits); ++n) {
+  for (std::size_t n = 0; n < limits.max_starts && rivals_.num_arcs() > 0 && !stopped(limits);
+       ++n) {
     start(random);
     std::uint64_t patient_until = kPatience;
     while (time_ < patient_until && !stopped(limits) && step(random)) {
-      if (total_ <= best_total_ * (1 + kBetter)) continue;
-      best_total_ = total_;
-      best_members_ = members_;
+      if (packing_.total() <= best_total_ * (1 + kBetter)) continue;
+      best_total_ = packing_.total();
+      best_members_ = packing_.members();
       patient_until = time_ + kPatience;
     }
     if (best_total_ > elite_total_) {
       elite_ = best_members_;
       elite_total_ = best_total_;
     }
-    found(packing(best_members_));
+    found(rivals_.arcs_of_problem(best_members_));
   }
   return std::exchange(work_, 0.0);
 }
@@ -117,80 +76,72 @@ bool SwapSearch::stopped(const Limits& limits) const {
 // A packing to which nothing can be added: at random, or after a part of the best one found.
 void SwapSearch::start(core::Random& random) {
   time_ = 0;
-  const std::size_t num_blocks = (arcs_.size() + kBlock - 1) / kBlock;
-  block_most_.resize(num_blocks);
-  gain_ = value_;
-  gain_.resize(num_blocks * kBlock, 0.0);
-  closed_.assign(arcs_.size(), 0.0);
-  closed_.resize(num_blocks * kBlock, -kInfinity);
+  packing_.clear();
+  block_most_.resize(packing_.gains().size() / kBlock);
+  closed_.assign(packing_.gains().size(), 0.0);
   tabu_.clear();
-  is_member_.assign(arcs_.size(), 0);
-  place_.assign(arcs_.size(), 0);
-  tabu_until_.assign(arcs_.size(), 0);
-  members_.clear();
-  total_ = 0;
+  tabu_until_.assign(rivals_.num_arcs(), 0);
   if (num_starts_++ % kStartsPerRandom != 0) {
     for (const std::uint32_t n : elite_) {
-      if (random.uniform() < kKept) insert(n);
+      if (random.uniform() < kKept) packing_.insert(n);
     }
   }
-  std::vector<std::uint32_t> order(arcs_.size());
+  std::vector<std::uint32_t> order(rivals_.num_arcs());
   std::iota(order.begin(), order.end(), 0u);
   core::shuffle(order, random);
-  for (const std::uint32_t n : order) insert_if_free(n);
-  best_total_ = total_;
-  best_members_ = members_;
-}
-
-void SwapSearch::insert_if_free(std::uint32_t n) {
-  const auto rivals = rivals_[n];
-  if (is_member_[n] == 0 &&
-      std::none_of(rivals.begin(), rivals.end(), [&](auto r) { return is_member_[r] != 0; }))
-    insert(n);
+  for (const std::uint32_t n : order) {
+    if (packing_.fits(n)) packing_.insert(n);
+  }
+  work_ += packing_.take_work();
+  best_total_ = packing_.total();
+  best_members_ = packing_.members();
 }
 
 // False where there is nothing to do.
 bool SwapSearch::step(core::Random& random) {
   ++time_;
   const std::uint32_t arrival = best_arrival(random);
-  if (arrival == kNone || gain_[arrival] < 0) {
+  if (arrival == kNone || packing_.gain(arrival) < 0) {
     const std::uint32_t least = least_member();
     if (arrival == kNone && least == kNone) return false;
-    if (arrival == kNone || (least != kNone && gain_[arrival] < -value_[least])) {
+    if (arrival == kNone || (least != kNone && packing_.gain(arrival) < -rivals_.value(least))) {
       remove(least, kTenure);
       return true;
     }
   }
-  const std::uint64_t tenure = kTenure + random.below(1 + members_.size() / kMembersPerTenure);
+  const std::uint64_t tenure =
+      kTenure + random.below(1 + packing_.members().size() / kMembersPerTenure);
   for (const std::uint32_t rival : rivals_[arrival]) {
-    if (is_member_[rival] != 0) remove(rival, tenure);
+    if (packing_.contains(rival)) remove(rival, tenure);
   }
-  insert(arrival);
+  packing_.insert(arrival);
+  work_ += packing_.take_work();
   return true;
 }
 
 // Of equal ones the first from a random block on.  One that may not come back may nevertheless, if
 // that makes the best packing.
 std::uint32_t SwapSearch::best_arrival(core::Random& random) {
-  work_ += kWorkPerLook * static_cast<double>(arcs_.size());
-  const double enough = best_total_ * (1 + kBetter) - total_;
+  work_ += kWorkPerLook * static_cast<double>(rivals_.num_arcs());
+  const std::vector<double>& gain = packing_.gains();
+  const double enough = best_total_ * (1 + kBetter) - packing_.total();
   std::uint32_t best = kNone;
   double most = -kInfinity;
   std::erase_if(tabu_, [&](std::uint32_t n) {
-    if (is_member_[n] != 0) return true;
+    if (packing_.contains(n)) return true;
     if (tabu_until_[n] <= time_) {
       closed_[n] = 0;
       return true;
     }
-    if (gain_[n] > std::max(most, enough)) {
-      most = gain_[n];
+    if (gain[n] > std::max(most, enough)) {
+      most = gain[n];
       best = n;
     }
     return false;
   });
   const std::size_t num_blocks = block_most_.size();
   for (std::size_t b = 0; b < num_blocks; ++b)
-    block_most_[b] = most_of(&gain_[b * kBlock], &closed_[b * kBlock]);
+    block_most_[b] = most_of(&gain[b * kBlock], &closed_[b * kBlock]);
   const std::size_t first = random.below(num_blocks);
   std::size_t block = num_blocks;
   for (std::size_t i = 0; i < num_blocks; ++i) {
@@ -201,43 +152,23 @@ std::uint32_t SwapSearch::best_arrival(core::Random& random) {
   }
   if (block == num_blocks) return best;
   std::size_t n = block * kBlock;
-  while (gain_[n] + closed_[n] != most) ++n;
+  while (gain[n] + closed_[n] != most) ++n;
   return static_cast<std::uint32_t>(n);
 }
 
 std::uint32_t SwapSearch::least_member() const {
-  const auto least = std::min_element(
-      members_.begin(), members_.end(), [&](auto a, auto b) { return value_[a] < value_[b]; });
-  return least == members_.end() ? kNone : *least;
-}
-
-void SwapSearch::insert(std::uint32_t n) {
-  is_member_[n] = 1;
-  closed_[n] = -kInfinity;
-  place_[n] = static_cast<std::uint32_t>(members_.size());
-  members_.push_back(n);
-  total_ += value_[n];
-  for (const std::uint32_t rival : rivals_[n]) gain_[rival] -= value_[n];
-  work_ += kWorkPerChange * static_cast<double>(rivals_[n].size());
+  const std::vector<std::uint32_t>& members = packing_.members();
+  const auto least = std::min_element(members.begin(), members.end(), [&](auto a, auto b) {
+    return rivals_.value(a) < rivals_.value(b);
+  });
+  return least == members.end() ? kNone : *least;
 }
 
 void SwapSearch::remove(std::uint32_t n, std::uint64_t tenure) {
-  is_member_[n] = 0;
-  members_[place_[n]] = members_.back();
-  place_[members_.back()] = place_[n];
-  members_.pop_back();
-  total_ -= value_[n];
-  for (const std::uint32_t rival : rivals_[n]) gain_[rival] += value_[n];
+  packing_.remove(n);
+  closed_[n] = -kInfinity;
   tabu_until_[n] = time_ + tenure;
   tabu_.push_back(n);
-  work_ += kWorkPerChange * static_cast<double>(rivals_[n].size());
-}
-
-// The arcs of the problem.
-std::vector<std::uint32_t> SwapSearch::packing(std::span<const std::uint32_t> members) const {
-  std::vector<std::uint32_t> arcs = core::at_positions(arcs_, members);
-  std::sort(arcs.begin(), arcs.end());
-  return arcs;
 }
 
 }  // namespace nda::recovery

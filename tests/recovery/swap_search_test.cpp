@@ -21,7 +21,7 @@ std::vector<Packing> search(const Component& component, double work, std::uint64
   const bnb::ComponentSlack slack = bnb::slack_of(component, u, kInfinity);
   Random random(seed);
   std::vector<Packing> found;
-  SwapSearch(slack.problem).run({work, kAllStarts, {}}, random, [&](auto arcs) {
+  SwapSearch(Rivals(slack.problem)).run({work, kAllStarts, {}}, random, [&](auto arcs) {
     found.push_back(core::make_packing(component, core::at_positions(slack.arcs, arcs)));
   });
   return found;
@@ -71,14 +71,14 @@ TEST(SwapSearch, IsDeterministic) {
 }
 
 TEST(SwapSearch, StopsAtTheDeadlineAndWithoutArcs) {
-  const bnb::SlackProblem none(0);
+  const Rivals none{bnb::SlackProblem(0)};
   Random random(1);
   const auto never = [](std::vector<std::uint32_t>) { FAIL(); };
   EXPECT_EQ(SwapSearch(none).run({1e6, kAllStarts, {}}, random, never), 0);
   const Component component = support::random_component_of_any_kind(7);
   const std::vector<double> u = support::feasible_multipliers(component, random);
   const bnb::ComponentSlack slack = bnb::slack_of(component, u, kInfinity);
-  SwapSearch(slack.problem).run({1e12, kAllStarts, core::Deadline(0)}, random, never);
+  SwapSearch(Rivals(slack.problem)).run({1e12, kAllStarts, core::Deadline(0)}, random, never);
 }
 
 }  // namespace
