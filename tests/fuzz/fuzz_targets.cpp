@@ -96,6 +96,16 @@ bool run_proof(std::string_view bytes) {
   return true;
 }
 
+bool run_warm_start(std::string_view bytes) {
+  const auto warm = accepted([&] { return warm_start_from_json(bytes); });
+  if (!warm) return false;
+  const std::string text = warm_start_to_json(*warm);
+  if (warm_start_to_json(warm_start_from_json(text)) != text) {
+    throw std::logic_error("not restored: " + text);
+  }
+  return true;
+}
+
 constexpr Target kTargets[] = {
     {"nda", run_nda},
     {"gzip", run_gzip},
@@ -103,6 +113,7 @@ constexpr Target kTargets[] = {
     {"csv", run_csv},
     {"solution", run_solution},
     {"proof", run_proof},
+    {"warm_start", run_warm_start},
 };
 
 }  // namespace

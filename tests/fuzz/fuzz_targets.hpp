@@ -13,7 +13,7 @@ struct Target {
   bool (*run)(std::string_view bytes);
 };
 
-/// nda, gzip, dense, csv, solution, proof.
+/// nda, gzip, dense, csv, solution, proof, warm_start.
 std::span<const Target> targets();
 
 }  // namespace nda::fuzz
