@@ -30,6 +30,21 @@ core::Packing greedy(const core::Component& component,
   return state.packing();
 }
 
+core::Packing greedy(const core::Component& component,
+                     std::span<const ArcId> arcs,
+                     std::span<const double> key) {
+  std::vector<std::uint32_t> order(arcs.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t m, std::uint32_t n) {
+    return key[m] != key[n] ? key[m] < key[n] : m < n;
+  });
+  PackingState state(component);
+  for (const std::uint32_t n : order) {
+    if (component.costs[arcs[n]] < 0 && state.fits(arcs[n])) state.insert(arcs[n]);
+  }
+  return state.packing();
+}
+
 core::Packing dual_greedy(const core::Component& component,
                           std::span<const double> u,
                           const core::Deadline& deadline) {

@@ -16,6 +16,11 @@ core::Packing greedy(const core::Component& component,
                      std::span<const double> key,
                      const core::Deadline& deadline = {});
 
+/// The same among some arcs, key[n] for arcs[n].
+core::Packing greedy(const core::Component& component,
+                     std::span<const core::ArcId> arcs,
+                     std::span<const double> key);
+
 /// Dual-guided greedy: key[a] = c'[a] - sum of u over its slots.
 core::Packing dual_greedy(const core::Component& component,
                           std::span<const double> u,
