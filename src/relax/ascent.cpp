@@ -1,91 +1,103 @@
 #include "relax/ascent.hpp"
 
 #include <algorithm>
-#include <cstdint>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
 #include "core/min_max.hpp"
-#include "core/reduced_costs.hpp"
 
 namespace nda::relax {
 
 using core::ArcId;
 
-Ascent::Ascent(const core::Component& component, std::vector<double> u)
-    : component_(component), u_(std::move(u)), r_(component.num_arcs()) {
-  core::reduced_costs(component, u_, 0, r_);
-}
-
-void Ascent::sweep() {
-  for (std::size_t k = component_.sizes.size(); k-- > 0;) {
-    const Index* const index = component_.indices[k].data();
-    least_.assign(component_.sizes[k] + std::size_t{1}, kInfinity);
-    second_.assign(least_.size(), kInfinity);
-    for (ArcId a = 0; a < r_.size(); ++a) {
-      double& least = least_[index[a]];
-      double& second = second_[index[a]];
-      second = core::min_of(second, core::max_of(least, r_[a]));
-      least = core::min_of(least, r_[a]);
+Ascent::Ascent(const core::Component& component, std::span<const ArcId> arcs, std::vector<double> u)
+    : component_(component),
+      u_(std::move(u)),
+      r_(arcs.size()),
+      slots_(arcs.size() * component.sizes.size()),
+      num_moved_(slots_.size()) {
+  const std::size_t dimensions = component.sizes.size();
+  for (std::size_t n = 0; n < arcs.size(); ++n) r_[n] = component.costs[arcs[n]];
+  for (std::size_t k = 0; k < dimensions; ++k) {
+    const Index* const index = component.indices[k].data();
+    for (std::size_t n = 0; n < arcs.size(); ++n) {
+      const std::uint32_t slot = component.offset[k] + index[arcs[n]];
+      slots_[n * dimensions + k] = slot;
+      r_[n] -= u_[slot];
     }
-    const std::span<double> block = std::span(u_).subspan(component_.offset[k], least_.size());
-    for (std::size_t i = 1; i < block.size(); ++i) {
-      const double use = block[i] + least_[i];
-      const double next = block[i] + second_[i];
-      const double value = use < 0 ? 0.5 * (use + std::min(0.0, next)) : 0.0;
-      second_[i] = value - std::exchange(block[i], value);
+  }
+  arcs_of_ = core::Lists<std::uint32_t>(component.num_slots(), [&](auto&& visit) {
+    auto slot = slots_.begin();
+    for (std::uint32_t n = 0; n < arcs.size(); ++n) {
+      for (std::size_t k = 0; k < dimensions; ++k) visit(*slot++, n);
     }
-    move(k);
+  });
+  for (std::size_t k = dimensions; k-- > 0;) {
+    const std::uint32_t dummy = component.offset[k];
+    for (std::uint32_t slot = dummy + 1; slot <= dummy + component.sizes[k]; ++slot) {
+      if (!arcs_of_[slot].empty())
+        order_.push_back(slot);
+      else
+        u_[slot] = 0;
+    }
   }
 }
 
-void Ascent::tighten(std::span<const char> marked) {
-  for (std::size_t k = component_.sizes.size(); k-- > 0;) {
-    const std::size_t first = component_.offset[k];
-    const std::size_t size = component_.sizes[k] + std::size_t{1};
-    if (!marked.empty()) {
-      const auto flags = marked.subspan(first, size);
-      if (std::find(flags.begin() + 1, flags.end(), 1) == flags.end()) continue;
+// What moved wakes its neighbours, and the others sleep, as soon as that is less work than to look
+// at them.
+double Ascent::sweep(double least_move) {
+  const bool wakes = num_moved_ * component_.sizes.size() < slots_.size();
+  if (!wakes || !was_waking_) is_awake_.assign(u_.size(), 1);
+  was_waking_ = wakes;
+  num_moved_ = 0;
+  double most = 0;
+  for (const std::uint32_t slot : order_) {
+    if (!is_awake_[slot]) continue;
+    is_awake_[slot] = 0;
+    double least = kInfinity;
+    double second = kInfinity;
+    for (const std::uint32_t n : arcs_of_[slot]) {
+      second = core::min_of(second, core::max_of(least, r_[n]));
+      least = core::min_of(least, r_[n]);
     }
-    const Index* const index = component_.indices[k].data();
-    least_.assign(size, kInfinity);
-    for (ArcId a = 0; a < r_.size(); ++a) least_[index[a]] = core::min_of(least_[index[a]], r_[a]);
-    second_.assign(size, 0.0);
-    for (std::size_t i = 1; i < size; ++i) {
-      if (!marked.empty() && !marked[first + i]) continue;
-      const double value = std::min(0.0, u_[first + i] + least_[i]);
-      second_[i] = value - std::exchange(u_[first + i], value);
-    }
-    move(k);
+    const double use = u_[slot] + least;
+    const double next = u_[slot] + second;
+    const double by = (use < 0 ? 0.5 * (use + std::min(0.0, next)) : 0.0) - u_[slot];
+    if (std::abs(by) <= least_move) continue;
+    most = std::max(most, std::abs(by));
+    move(slot, by);
+    num_moved_ += arcs_of_[slot].size();
+    if (wakes) wake_neighbours(slot);
+  }
+  return most;
+}
+
+void Ascent::wake_neighbours(std::uint32_t slot) {
+  const std::size_t dimensions = component_.sizes.size();
+  for (const std::uint32_t n : arcs_of_[slot]) {
+    for (std::size_t k = 0; k < dimensions; ++k) is_awake_[slots_[n * dimensions + k]] = 1;
+  }
+  is_awake_[slot] = 0;
+}
+
+void Ascent::climb(int max_sweeps, double least_move, const core::Deadline& deadline) {
+  while (max_sweeps-- > 0 && !deadline.reached() && sweep(least_move) > 0) {
   }
 }
 
-// By second_, of the multipliers of dimension k.
-void Ascent::move(std::size_t k) {
-  second_[0] = 0;
-  const Index* const index = component_.indices[k].data();
-  for (ArcId a = 0; a < r_.size(); ++a) r_[a] -= second_[index[a]];
+void Ascent::tighten() {
+  for (const std::uint32_t slot : order_) {
+    double least = kInfinity;
+    for (const std::uint32_t n : arcs_of_[slot]) least = core::min_of(least, r_[n]);
+    const double by = std::min(0.0, u_[slot] + least) - u_[slot];
+    if (by != 0) move(slot, by);
+  }
 }
 
-void Ascent::repair() {
-  std::vector<ArcId> violated;
-  for (ArcId a = 0; a < r_.size(); ++a) {
-    if (r_[a] < 0) violated.push_back(a);
-  }
-  if (violated.empty()) return;
-  std::vector<std::uint32_t> count(u_.size(), 0);
-  for (const ArcId a : violated)
-    core::for_each_slot(component_, a, [&](std::uint32_t slot) { ++count[slot]; });
-  for (const ArcId a : violated) {
-    const double r = core::reduced_cost(component_, u_, a);
-    if (r >= 0) continue;
-    std::uint32_t busiest = 0;
-    core::for_each_slot(component_, a, [&](std::uint32_t slot) {
-      if (count[slot] > count[busiest]) busiest = slot;
-    });
-    u_[busiest] += r;
-  }
-  core::reduced_costs(component_, u_, 0, r_);
+void Ascent::move(std::uint32_t slot, double by) {
+  u_[slot] += by;
+  for (const std::uint32_t n : arcs_of_[slot]) r_[n] -= by;
 }
 
 double Ascent::bound() const {

@@ -1,46 +1,55 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
+#include "core/clock.hpp"
 #include "core/component.hpp"
+#include "core/lists.hpp"
 
 namespace nda::relax {
 
-/// Multipliers of a component together with the reduced costs of its arcs, both kept up to date:
-/// coordinate ascent of the separable dual (separable_dual.hpp) at two passes over a column of
-/// indices for a dimension, where SeparableDual computes every reduced cost anew.
+/// Coordinate ascent of the separable dual (separable_dual.hpp) on some arcs of a component, as if
+/// there were no others, with lists of the arcs of every index: two passes over them for an index
+/// that moves, one for an index that may, and none for the others once they are many.
 class Ascent {
  public:
-  /// u by slot, <= 0.  Keeps a reference to the component.
-  Ascent(const core::Component& component, std::vector<double> u);
+  /// u by slot, <= 0; becomes 0 where an index has none of the arcs.  Keeps a reference to the
+  /// component.  Cost: O(arcs N + slots).
+  Ascent(const core::Component& component,
+         std::span<const core::ArcId> arcs,
+         std::vector<double> u);
 
-  /// SeparableDual::ascend() of every dimension, last to first.  Cost: O(A N).
-  void sweep();
+  /// SeparableDual::ascend() of every dimension, last to first; returns by how much the multiplier
+  /// moved that moved most.  Moves of at most `least_move` are left out.
+  double sweep(double least_move = 0);
 
-  /// Lifts or lowers every multiplier to the highest value that its index allows, dimension by
-  /// dimension, last to first, of the indices marked, or of all where `marked` is empty.  Of all:
-  /// the multipliers are then feasible (as make_feasible() makes them).  Cost: O(A N).
-  void tighten(std::span<const char> marked = {});
+  /// sweep() until nothing moves more than that, so many times, or until the deadline strikes.
+  void climb(int max_sweeps, double least_move, const core::Deadline& deadline = {});
 
-  /// Makes multipliers feasible that nearly are: each arc of negative reduced cost lowers the
-  /// multiplier of one index by as much, the index that most such arcs share.  Cost: O(A), and
-  /// O(N) for each of these.
-  void repair();
+  /// Lifts or lowers every multiplier to the highest value that its arcs allow, dimension by
+  /// dimension, last to first: the multipliers are then feasible for these arcs (as make_feasible()
+  /// makes them).
+  void tighten();
 
   const std::vector<double>& u() const { return u_; }
-  std::span<const double> reduced_costs() const { return r_; }
-  /// sum of u: a lower bound where they are feasible.
+  /// sum of u: after tighten() a lower bound on every packing of these arcs.
   double bound() const;
 
  private:
-  void move(std::size_t k);
+  void move(std::uint32_t slot, double by);
+  void wake_neighbours(std::uint32_t slot);
 
   const core::Component& component_;
   std::vector<double> u_;
-  std::vector<double> r_;       // [arc]
-  std::vector<double> least_;   // of a dimension, by index: cheapest use
-  std::vector<double> second_;  // and the one after it; then how far the multiplier moves
+  std::vector<double> r_;               // reduced costs, in the order of the arcs
+  std::vector<std::uint32_t> slots_;    // N of each arc, in that order
+  core::Lists<std::uint32_t> arcs_of_;  // [slot]: positions in that order
+  std::vector<std::uint32_t> order_;    // slots of real indices with arcs, last dimension first
+  std::vector<char> is_awake_;          // [slot]: may move
+  std::size_t num_moved_;               // arcs of the slots that moved in the last sweep
+  bool was_waking_ = false;             // in the last sweep moves woke their neighbours
 };
 
 }  // namespace nda::relax

@@ -6,8 +6,11 @@
 #include <utility>
 
 #include "core/slices.hpp"
+#include "decompose/exchange_fixing.hpp"
+#include "recovery/combine.hpp"
 #include "recovery/greedy.hpp"
 #include "relax/ascent.hpp"
+#include "relax/prices.hpp"
 
 // A window moved by one scan keeps its picture but hardly a cost: births and trailing misses shift
 // them all, and what was charged to the scan that left must be charged elsewhere.  So nothing of
@@ -15,9 +18,10 @@
 // the new scan set to what its arcs pay, leave most arcs with a reduced cost that no small change
 // will bring down.  The others, a few per index, are the active arcs: coordinate ascent on them
 // costs next to nothing, and one pass over the rest tells whether that was fair.  The old arcs say
-// who belongs together; the best continuation of each is a packing.  Its distance from the bound
-// excludes nearly everything before anything is split, sorted or copied, which is what takes the
-// time where problems are small.
+// who belongs together; the best continuations of each, and the arcs of least reduced cost, make
+// packings.  Where packing and multipliers meet, everything is settled; only around the places
+// where they do not, arcs stay open (decompose/exchange_fixing.hpp), and the same is done with
+// these, over and over as long as it helps.  What is then still open is split and solved.
 
 namespace nda::pipeline {
 namespace {
@@ -27,23 +31,44 @@ using core::Component;
 using core::Packing;
 
 // Arcs of least reduced cost: those that coordinate ascent sees, and the packings are made of.
-constexpr std::size_t kActivePerIndex = 4;
+constexpr std::size_t kActivePerIndex = 3;
 constexpr std::size_t kNearPerIndex = 1;
-constexpr std::size_t kSample = 500;
-constexpr int kSweeps = 5;
-// A part is cut again where its own gap leaves less than this share of its arcs.
-constexpr double kWorthCutting = 0.7;
+constexpr std::size_t kSample = 250;
+// Of equal reduced costs (multipliers make thousands of zeros) the cheaper arc first.
+constexpr double kTieBreak = 1e-6;
+// Ascent ends after so many sweeps, or when no multiplier moves by this share of the largest cost.
+constexpr int kSweeps = 10;
+constexpr double kLeastMove = 1e-3;
+// The same once few arcs are left, as long as a round leaves less than this share of them.
+constexpr int kRounds = 5;
+constexpr int kMoreSweeps = 30;
+constexpr double kLessMove = 1e-4;
+constexpr double kWorthNarrowing = 0.7;
+// Of the margin, for one fixing: what kRounds of them exclude and rounding adds stays below it.
+constexpr double kToleranceShare = 0.125;
 
-// The arcs that improve on their singletons.
+// The arcs that improve on their singletons.  Slots are those of the problem.
 Component live_part(const Problem& problem,
                     const core::Shift& shift,
                     const core::Deadline& deadline) {
-  std::vector<ArcId> live;
-  const auto note = [&](std::size_t a) {
-    if (core::shifted_cost(problem, shift, a) < 0) live.push_back(static_cast<ArcId>(a));
+  Component live = core::make_component({problem.sizes().begin(), problem.sizes().end()});
+  live.costs.resize(problem.num_arcs());
+  live.arc_origin.resize(problem.num_arcs());
+  std::size_t count = 0;
+  const auto note = [&](std::size_t a) {  // without a jump, which nothing foretells
+    live.costs[count] = core::shifted_cost(problem, shift, a);
+    live.arc_origin[count] = static_cast<ArcId>(a);
+    count += live.costs[count] < 0;
   };
   if (!core::for_each_until(deadline, problem.num_arcs(), note)) return {};
-  return core::Cutter().cut(problem, shift, live, deadline);
+  live.costs.resize(count);
+  live.arc_origin.resize(count);
+  for (std::size_t k = 0; k < live.sizes.size() && !deadline.reached(); ++k) {
+    const std::span<const Index> column = problem.indices(static_cast<int>(k));
+    const std::span<Index> copy = live.indices[k].allocate(live.num_arcs());
+    for (ArcId a = 0; a < copy.size(); ++a) copy[a] = column[live.arc_origin[a]];
+  }
+  return live;
 }
 
 // Old multipliers by slot, none below the cheapest arc; marks the slots that have none.
@@ -76,77 +101,187 @@ std::vector<ArcId> cheapest_arcs(std::span<const double> reduced, std::size_t co
     std::nth_element(sample.begin(), middle, sample.end());
     bound = *middle;
   }
-  for (ArcId a = 0; a < reduced.size(); ++a) {
-    if (reduced[a] <= bound) cheapest.push_back(a);
+  cheapest.resize(reduced.size());
+  std::size_t size = 0;
+  for (ArcId a = 0; a < reduced.size(); ++a) {  // without a jump
+    cheapest[size] = a;
+    size += reduced[a] <= bound;
   }
+  cheapest.resize(size);
   return cheapest;
 }
 
-// By slot of the problem: 1 + the number of the old tuple that it belongs to, 0 = none or several.
-std::vector<std::uint32_t> old_tuples(const Problem& problem,
-                                      const core::Shift& shift,
-                                      const WarmStart& warm) {
-  std::vector<std::uint32_t> tuple_of(problem.num_indices() + shift.offset.size(), 0);
-  const auto dimensions = static_cast<std::size_t>(problem.num_dimensions());
+// By slot: 1 + the number of the old tuple that it belongs to, the last of several; 0 = none.
+std::vector<std::uint32_t> old_tuples(const Component& live, const WarmStart& warm) {
+  std::vector<std::uint32_t> tuple_of(live.num_slots(), 0);
   for (std::uint32_t t = 0; t < warm.arcs.size(); ++t) {
     const std::vector<Index>& tuple = warm.arcs[t];
-    for (std::size_t k = 0; k < std::min(dimensions, tuple.size()); ++k) {
-      if (tuple[k] > 0 && tuple[k] <= problem.size(static_cast<int>(k)))
-        tuple_of[shift.offset[k] + tuple[k]] = t + 1;
+    for (std::size_t k = 0; k < std::min(live.sizes.size(), tuple.size()); ++k) {
+      if (tuple[k] > 0 && tuple[k] <= live.sizes[k]) tuple_of[live.offset[k] + tuple[k]] = t + 1;
     }
   }
   return tuple_of;
 }
 
-// Greedy by cost among the arcs that mix no two old tuples, then among the others.
-Packing continue_old(const Component& near,
-                     const core::Shift& shift,
-                     const std::vector<std::uint32_t>& tuple_of) {
-  std::vector<std::uint32_t> tuple(near.num_slots(), 0);
-  core::for_each_index(near, [&](std::uint32_t slot, std::size_t k, Index i) {
-    tuple[slot] = tuple_of[shift.offset[k] + i];
+// 1 + the number of the one old tuple that the indices of an arc belong to; 0 = none or several.
+std::uint32_t continued(const Component& live, std::span<const std::uint32_t> tuple_of, ArcId a) {
+  std::uint32_t owner = 0;
+  for (int k = 0; k < live.num_dimensions(); ++k) {
+    const std::uint32_t tuple = tuple_of[live.slot(k, a)];
+    if (tuple == 0) continue;
+    if (owner != 0 && owner != tuple) return 0;
+    owner = tuple;
+  }
+  return owner;
+}
+
+// The cheapest arc of every old tuple with every index of the last dimension, and with none.
+std::vector<ArcId> continuations(const Component& live,
+                                 std::span<const std::uint32_t> tuple_of,
+                                 std::size_t num_tuples) {
+  std::vector<std::uint32_t> owner(live.num_arcs());
+  for (ArcId a = 0; a < owner.size(); ++a) owner[a] = continued(live, tuple_of, a);
+  const core::Lists<ArcId> arcs_of(num_tuples + 1, [&](auto&& visit) {
+    for (ArcId a = 0; a < owner.size(); ++a) {
+      if (owner[a] != 0) visit(owner[a], a);
+    }
   });
-  const double least = *std::min_element(near.costs.begin(), near.costs.end());
-  std::vector<double> key = near.costs;
-  for (ArcId a = 0; a < near.num_arcs(); ++a) {
-    std::uint32_t owner = 0;
-    bool mixes = false;
-    core::for_each_slot(near, a, [&](std::uint32_t slot) {
-      mixes = mixes || (owner != 0 && tuple[slot] != 0 && tuple[slot] != owner);
-      owner = std::max(owner, tuple[slot]);
+  constexpr ArcId kNone = ~ArcId{0};
+  const std::span<const Index> last = {live.indices.back().data(), live.num_arcs()};
+  std::vector<ArcId> cheapest(live.sizes.back() + std::size_t{1}, kNone);
+  std::vector<ArcId> found;
+  for (std::size_t t = 1; t <= num_tuples; ++t) {
+    for (const ArcId a : arcs_of[t]) {
+      ArcId& best = cheapest[last[a]];
+      if (best == kNone || live.costs[a] < live.costs[best]) best = a;
+    }
+    for (const ArcId a : arcs_of[t]) {
+      if (const ArcId best = std::exchange(cheapest[last[a]], kNone); best != kNone)
+        found.push_back(best);
+    }
+  }
+  return found;
+}
+
+// What ascent, pricing and packings find out of a component, round by round.
+class Search {
+ public:
+  // The multipliers need not be feasible.
+  Search(const Component& component, relax::Prices prices, Packing best)
+      : component_(component), prices_(std::move(prices)), best_(std::move(best)) {}
+
+  // Ascent on the arcs of least reduced cost, then what it proves of all.
+  void ascend(int max_sweeps, double least_move, const core::Deadline& deadline) {
+    const std::vector<ArcId> active =
+        cheapest_arcs(prices_.reduced_costs(), kActivePerIndex * component_.num_indices());
+    relax::Ascent ascent(component_, active, prices_.u());
+    ascent.climb(max_sweeps, least_move * core::largest_cost(component_), deadline);
+    ascent.tighten();
+    prices_.set(ascent.u());
+    prices_.repair();
+    const double lower = prices_.bound();
+    if (!r_.empty() && lower <= lower_) return;
+    lower_ = lower;
+    u_ = prices_.u();
+    r_.assign(prices_.reduced_costs().begin(), prices_.reduced_costs().end());
+  }
+
+  const std::vector<double>& u() const { return u_; }
+  double lower() const { return lower_; }
+  const Packing& best() const { return best_; }
+
+  decompose::ExchangeFixing fix(const Precision& precision) const {
+    const double tolerance =
+        kToleranceShare * precision.margin /
+        static_cast<double>(std::max<std::size_t>(1, component_.num_indices()));
+    return decompose::fix_by_exchange(component_, u_, r_, best_, tolerance);
+  }
+
+  // Greedy by cost, and by reduced cost.
+  void try_packings(std::span<const ArcId> arcs) {
+    std::vector<double> key;
+    for (const ArcId a : arcs) key.push_back(component_.costs[a]);
+    offer(recovery::greedy(component_, arcs, key));
+    follow_prices(arcs);
+  }
+
+  void follow_prices(std::span<const ArcId> arcs) {
+    std::vector<double> key;
+    for (const ArcId a : arcs)
+      key.push_back(prices_.reduced_costs()[a] + kTieBreak * component_.costs[a]);
+    offer(recovery::greedy(component_, arcs, key));
+  }
+
+  void follow_prices() {
+    follow_prices(cheapest_arcs(prices_.reduced_costs(), kNearPerIndex * component_.num_indices()));
+  }
+
+ private:
+  void offer(const Packing& packing) {
+    if (packing.arcs != best_.arcs) best_ = recovery::combine(component_, best_, packing);
+  }
+
+  const Component& component_;
+  relax::Prices prices_;   // of the last round
+  std::vector<double> u_;  // those that prove most, and their reduced costs
+  std::vector<double> r_;
+  double lower_ = 0;  // sum u
+  Packing best_;
+};
+
+// By arc of those listed: whether it is in a packing.
+std::vector<char> membership(std::span<const ArcId> arcs, const Packing& packing) {
+  std::vector<char> is_in;
+  for (const ArcId a : arcs)
+    is_in.push_back(std::binary_search(packing.arcs.begin(), packing.arcs.end(), a));
+  return is_in;
+}
+
+// Keeps what a search of `from` leaves open, and settles the rest.
+void narrow(HotStart& hot,
+            const Component& from,
+            const Search& search,
+            const core::CostGrid& grid,
+            core::Cutter& cutter) {
+  core::extend_slots(from, search.u(), hot.live, hot.learned_u);
+  const decompose::ExchangeFixing fixing = search.fix(precision_of(from, grid));
+  for (const ArcId a : fixing.settled) {
+    hot.settled.push_back(core::original_arc(from, a));
+    hot.settled_cost += from.costs[a];
+  }
+  Component open = cutter.cut(from, fixing.open);
+  hot.open_u = core::restrict_slots(from, search.u(), open);
+  hot.is_best = membership(fixing.open, search.best());
+  hot.open = std::move(open);
+}
+
+Packing best_of_open(const HotStart& hot) {
+  std::vector<ArcId> arcs;
+  for (ArcId a = 0; a < hot.is_best.size(); ++a) {
+    if (hot.is_best[a]) arcs.push_back(a);
+  }
+  return core::make_packing(hot.open, std::move(arcs));
+}
+
+// Makes multipliers exact where everything is settled: what its arcs and the indices left uncovered
+// lose is not needed to exclude others (decompose/exchange_fixing.hpp).
+void charge_settled(const HotStart& hot, std::vector<double>& u) {
+  std::vector<char> is_settled(u.size(), 1);
+  core::for_each_index(hot.open, [&](std::uint32_t, std::size_t k, Index i) {
+    is_settled[hot.live.offset[k] + i] = 0;
+  });
+  for (const ArcId a : core::arcs_from_original(hot.live, hot.settled)) {
+    double rest = core::reduced_cost(hot.live, u, a);
+    core::for_each_slot(hot.live, a, [&](std::uint32_t slot) {
+      const double raise = std::min(rest, -u[slot]);
+      u[slot] += raise;
+      rest -= raise;
+      is_settled[slot] = 0;
     });
-    if (mixes) key[a] -= least;
   }
-  return recovery::greedy(near, key);
-}
-
-// A packing of arcs of `live`, among those of least reduced cost.
-Packing find_packing(const HotStart& hot,
-                     std::span<const double> reduced,
-                     const core::Shift& shift,
-                     const std::vector<std::uint32_t>& tuple_of) {
-  const std::vector<ArcId> arcs = cheapest_arcs(reduced, kNearPerIndex * hot.live.num_indices());
-  const Component near = core::Cutter().cut(hot.live, arcs);
-  Packing old = continue_old(near, shift, tuple_of);
-  Packing guided = recovery::dual_greedy(near, core::restrict_slots(hot.live, hot.u, near));
-  Packing& best = guided.cost < old.cost ? guided : old;
-  best.arcs = core::at_positions(arcs, best.arcs);
-  return std::move(best);
-}
-
-HotPart cut_whole_part(const HotStart& hot,
-                       std::span<const ArcId> arcs,
-                       core::Cutter& cutter,
-                       const core::Deadline& deadline) {
-  HotPart part{cutter.cut(hot.open, arcs, deadline), {}};
-  if (deadline.reached()) return part;
-  std::vector<ArcId> best;
-  for (ArcId a = 0; a < arcs.size(); ++a) {
-    if (hot.is_best[arcs[a]]) best.push_back(a);
+  for (std::size_t slot = 0; slot < u.size(); ++slot) {
+    if (is_settled[slot]) u[slot] = 0;
   }
-  part.hint = {core::restrict_slots(hot.open, hot.open_u, part.component),
-               core::make_packing(part.component, std::move(best))};
-  return part;
 }
 
 }  // namespace
@@ -161,57 +296,46 @@ std::optional<HotStart> make_hot_start(const Problem& problem,
   if (deadline.reached() || hot.live.num_arcs() == 0) return std::nullopt;
   hot.precision = precision_of(hot.live, grid);
   std::vector<char> is_new;
-  relax::Ascent first(hot.live, old_multipliers(hot.live, shift, warm, is_new));
-  first.tighten(is_new);
-  const std::vector<ArcId> near =
-      cheapest_arcs(first.reduced_costs(), kActivePerIndex * hot.live.num_indices());
+  relax::Prices prices(hot.live, old_multipliers(hot.live, shift, warm, is_new));
+  prices.tighten(is_new);
+  Search search(hot.live, std::move(prices), {});
+  if (deadline.reached()) return std::nullopt;
+  search.ascend(kSweeps, kLeastMove, deadline);
+  if (deadline.reached()) return std::nullopt;
+  search.try_packings(continuations(hot.live, old_tuples(hot.live, warm), warm.arcs.size()));
+  search.follow_prices();
+  if (deadline.reached()) return std::nullopt;
+  hot.u = search.u();
+  hot.lower = search.lower();
+  hot.learned_u = hot.u;
   core::Cutter cutter;
-  const Component active = cutter.cut(hot.live, near, deadline);
-  if (deadline.reached()) return std::nullopt;
-  relax::Ascent ascent(active, core::restrict_slots(hot.live, first.u(), active));
-  for (int n = 0; n < kSweeps; ++n) ascent.sweep();
-  ascent.tighten();
-  hot.u = first.u();
-  core::extend_slots(active, ascent.u(), hot.live, hot.u);
-  relax::Ascent whole(hot.live, std::move(hot.u));
-  whole.repair();
-  hot.u = whole.u();
-  hot.lower = whole.bound();
-  const Packing best =
-      find_packing(hot, whole.reduced_costs(), shift, old_tuples(problem, shift, warm));
-  const double cutoff = best.cost - hot.precision.margin;
-  std::vector<char> is_best(hot.live.num_arcs(), 0);
-  for (const ArcId a : best.arcs) is_best[a] = 1;
-  std::vector<ArcId> open;
-  for (ArcId a = 0; a < is_best.size(); ++a) {
-    if (is_best[a] || hot.lower + whole.reduced_costs()[a] < cutoff) open.push_back(a);
+  narrow(hot, hot.live, search, grid, cutter);
+  for (int round = 1; round < kRounds && hot.open.num_arcs() > 0; ++round) {
+    if (deadline.reached()) return std::nullopt;
+    const auto before = static_cast<double>(hot.open.num_arcs());
+    Search closer(hot.open, {hot.open, hot.open_u}, best_of_open(hot));
+    closer.ascend(kMoreSweeps, kLessMove, deadline);
+    closer.follow_prices();
+    narrow(hot, hot.open, closer, grid, cutter);
+    if (static_cast<double>(hot.open.num_arcs()) > kWorthNarrowing * before) break;
   }
-  hot.open = cutter.cut(hot.live, open, deadline);
-  if (deadline.reached()) return std::nullopt;
-  hot.open_u = core::restrict_slots(hot.live, hot.u, hot.open);
-  for (const ArcId a : open) {
-    hot.is_best.push_back(is_best[a]);
-    hot.open_r.push_back(whole.reduced_costs()[a]);
-  }
+  std::sort(hot.settled.begin(), hot.settled.end());
   return hot;
 }
 
 HotPart cut_part(const HotStart& hot,
-                 const core::CostGrid& grid,
                  std::span<const ArcId> arcs,
                  core::Cutter& cutter,
                  const core::Deadline& deadline) {
-  HotPart part = cut_whole_part(hot, arcs, cutter, deadline);
+  HotPart part{cutter.cut(hot.open, arcs, deadline), {}};
   if (deadline.reached()) return part;
-  const Hint& hint = part.hint;
-  const double lower = std::accumulate(hint.u.begin(), hint.u.end(), 0.0);
-  const double gap = hint.best.cost - precision_of(part.component, grid).margin - lower;
-  std::vector<ArcId> near;
-  for (const ArcId a : arcs) {
-    if (hot.is_best[a] || hot.open_r[a] < gap) near.push_back(a);
+  std::vector<ArcId> best;
+  for (ArcId a = 0; a < arcs.size(); ++a) {
+    if (hot.is_best[arcs[a]]) best.push_back(a);
   }
-  const double share = static_cast<double>(near.size()) / static_cast<double>(arcs.size());
-  return share < kWorthCutting ? cut_whole_part(hot, near, cutter, deadline) : std::move(part);
+  part.hint = {core::restrict_slots(hot.open, hot.open_u, part.component),
+               core::make_packing(part.component, std::move(best))};
+  return part;
 }
 
 void learn(HotStart& hot, const Component& part, std::span<const double> u) {
@@ -219,9 +343,10 @@ void learn(HotStart& hot, const Component& part, std::span<const double> u) {
 }
 
 void add_multipliers(HotStart& hot, std::vector<std::vector<double>>& multipliers) {
-  std::vector<double> u = hot.u;
+  std::vector<double> u = hot.learned_u;
   core::extend_slots(hot.open, hot.open_u, hot.live, u);
-  relax::Ascent learned(hot.live, std::move(u));
+  charge_settled(hot, u);
+  relax::Prices learned(hot.live, std::move(u));
   learned.repair();
   const std::vector<double>& best = learned.bound() > hot.lower ? learned.u() : hot.u;
   core::for_each_index(hot.live, [&](std::uint32_t slot, std::size_t k, Index i) {

@@ -12,18 +12,21 @@
 
 namespace nda::pipeline {
 
-/// What a warm start proves of a problem before it is split: a packing, feasible multipliers, and
-/// the few arcs that a better packing could use (docs/hot_starts.md).
+/// What a warm start proves of a problem before it is split: which arcs are settled, which are
+/// open, and multipliers (docs/hot_starts.md).  Some best packing consists of the settled arcs and
+/// a best packing of the open ones, within the error or, on a grid, exactly.
 struct HotStart {
-  core::Component live;        ///< the arcs that can improve on their singletons
-  std::vector<double> u;       ///< by slot of `live`, feasible
-  double lower = 0;            ///< sum u
-  core::Component open;        ///< cut out of `live`: what a packing cheaper than that of `is_best`
-                               ///< by more than the margin may use, and that packing
-  std::vector<double> open_u;  ///< u by slot of `open`
-  std::vector<double> open_r;  ///< reduced costs of its arcs
-  std::vector<char> is_best;   ///< by arc of `open`
-  Precision precision;         ///< of the whole
+  core::Component live;   ///< the arcs that can improve on their singletons; slots as in the
+                          ///< problem
+  std::vector<double> u;  ///< by slot of `live`, feasible
+  double lower = 0;       ///< sum u
+  std::vector<core::ArcId> settled;  ///< arcs of the problem that a best packing has, ascending
+  double settled_cost = 0;           ///< shifted
+  std::vector<double> learned_u;     ///< by slot of `live`: of the last round that saw an index
+  core::Component open;              ///< cut out of `live`
+  std::vector<double> open_u;        ///< u by slot of `open`
+  std::vector<char> is_best;         ///< by arc of `open`: in the best packing so far
+  Precision precision;               ///< of the whole
 };
 
 /// Nothing where the deadline strikes, or where no arc is live.  No singleton of the problem may be
@@ -35,14 +38,12 @@ std::optional<HotStart> make_hot_start(const Problem& problem,
                                        const WarmStart& warm,
                                        const core::Deadline& deadline);
 
-/// A part of `open`, a connected component of these arcs, and what is known of it.  Arcs that the
-/// part's own gap excludes are left out.
+/// A part of `open`, a connected component of these arcs, and what is known of it.
 struct HotPart {
   core::Component component;
   Hint hint;
 };
 HotPart cut_part(const HotStart& hot,
-                 const core::CostGrid& grid,
                  std::span<const core::ArcId> arcs,
                  core::Cutter& cutter,
                  const core::Deadline& deadline);

@@ -95,7 +95,8 @@ class Pipeline {
     if (deadline_.reached()) return;
     parts_.resize(partition_.num_components());
     supervision_.shorten(kMergeSecondsPerPart * static_cast<double>(parts_.size()));
-    monitor_.begin(shift_.constant, parts_.size(), num_infeasible());
+    const double settled = hot_ ? hot_->settled_cost : 0;
+    monitor_.begin(shift_.constant + settled, parts_.size(), num_infeasible());
     const auto workers = static_cast<std::size_t>(pipeline::num_workers(options_.num_threads));
     std::vector<core::Cutter> cutters(workers);
     std::vector<reduce::Reducer> reducers(workers);
@@ -165,8 +166,7 @@ class Pipeline {
     Part& part = parts_[p];
     pipeline::Hint hint;
     if (hot_) {
-      pipeline::HotPart hot =
-          pipeline::cut_part(*hot_, grid_, partition_.component(p), cutter, deadline_);
+      pipeline::HotPart hot = pipeline::cut_part(*hot_, partition_.component(p), cutter, deadline_);
       part.component = std::move(hot.component);
       hint = std::move(hot.hint);
     } else if (mostly_whole()) {
@@ -235,6 +235,7 @@ class Pipeline {
     for (const std::vector<double>& row : shift_.base) {
       for (const double charge : row) sum.add(charge);
     }
+    if (hot_) sum.add(hot_->settled_cost);
     for (const Part& part : parts_) sum.add(figure(part.state()));
     return sum.high();
   }
@@ -304,6 +305,7 @@ class Pipeline {
 
   void merge_arcs(Solution& solution) {
     std::vector<ArcId> arcs;
+    if (hot_) arcs = hot_->settled;
     for (const Part& part : parts_) {
       if (!part.is_known()) continue;
       for (const ArcId a : part.state().best.arcs) {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <string>
+#include <utility>
 
 #include "core/random.hpp"
 #include "nda/check.hpp"
@@ -128,6 +130,49 @@ TEST(HotStart, OfAWindowMovedAnyWayChangesNoAnswer) {
   }
 }
 
+// Multipliers of some other window, a little wrong or very, in part or not at all; tuples likewise.
+WarmStart spoilt(WarmStart warm, core::Random& random) {
+  const double noise = random.below(3) == 0 ? 0 : std::pow(10, random.uniform(-12, 3));
+  for (std::vector<double>& row : warm.multipliers) {
+    if (random.below(8) == 0) row.resize(random.below(40));
+    for (double& u : row) {
+      u += noise * random.uniform(-1, 1);
+      if (random.below(200) == 0) u = random.below(2) ? std::nan("") : 1e18;
+    }
+  }
+  const bool mixed = random.below(4) == 0;
+  for (std::vector<Index>& tuple : warm.arcs) {
+    for (Index& i : tuple) {
+      if (mixed && random.below(5) == 0) i = static_cast<Index>(random.below(30));
+    }
+  }
+  if (random.below(8) == 0) warm.arcs.clear();
+  if (random.below(8) == 0) warm.multipliers.clear();
+  return warm;
+}
+
+TEST(HotStart, OfSpoiltWindowsChangesNoAnswer) {
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    core::Random random(seed);
+    TrackingOptions scene = sliding(seed);
+    scene.scans = 2 + static_cast<int>(random.below(5));
+    scene.targets = 3 + static_cast<int>(random.below(12));
+    scene.cap = 150;
+    const WarmStart last = warm_start(solve(generate_tracking(scene).problem));
+    scene.first_scan = static_cast<int>(random.below(3));
+    const Problem window = generate_tracking(scene).problem;
+    for (int trial = 0; trial < 6; ++trial) {
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", trial " + std::to_string(trial));
+      WarmStart warm = last;
+      warm.shift(static_cast<int>(random.below(3)), static_cast<int>(random.below(2)));
+      Options options;
+      if (random.below(8) == 0) options.relaxation.decompose = false;
+      if (random.below(8) == 0) options.branch.exact_arcs = random.below(100);
+      expect_same(window, spoilt(std::move(warm), random), options);
+    }
+  }
+}
+
 TEST(HotStart, ChangesNoAnswerOfOtherMethodsThreadsGapsAndProofs) {
   TrackingOptions scene = sliding(2);
   const Solution last = solve(generate_tracking(scene).problem);
@@ -196,7 +241,8 @@ TEST(HotStart, LeavesLittleOpen) {
   const core::Shift shift = core::make_shift(window);
   const auto hot = pipeline::make_hot_start(window, shift, core::find_grid(window), warm, {});
   ASSERT_TRUE(hot);
-  EXPECT_LT(hot->open.num_arcs(), hot->live.num_arcs() / 2);
+  EXPECT_LT(hot->open.num_arcs(), hot->live.num_arcs() / 20);
+  EXPECT_GT(hot->settled.size(), 10u);
   EXPECT_LE(hot->lower, solve(window).cost + 1e-9);
 }
 
