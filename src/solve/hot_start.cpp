@@ -39,6 +39,8 @@ constexpr double kTieBreak = 1e-6;
 // Ascent ends after so many sweeps, or when no multiplier moves by this share of the largest cost.
 constexpr int kSweeps = 10;
 constexpr double kLeastMove = 1e-3;
+// Old tuples are continued where the gap is wider, as a share of the cost.
+constexpr double kWideGap = 0.005;
 // The same once few arcs are left, as long as a round leaves less than this share of them.
 constexpr int kRounds = 5;
 constexpr int kMoreSweeps = 30;
@@ -189,6 +191,7 @@ class Search {
   const std::vector<double>& u() const { return u_; }
   double lower() const { return lower_; }
   const Packing& best() const { return best_; }
+  bool is_wide() const { return best_.cost - lower_ > -kWideGap * best_.cost; }
 
   decompose::ExchangeFixing fix(const Precision& precision) const {
     const double tolerance =
@@ -302,8 +305,9 @@ std::optional<HotStart> make_hot_start(const Problem& problem,
   if (deadline.reached()) return std::nullopt;
   search.ascend(kSweeps, kLeastMove, deadline);
   if (deadline.reached()) return std::nullopt;
-  search.try_packings(continuations(hot.live, old_tuples(hot.live, warm), warm.arcs.size()));
   search.follow_prices();
+  if (search.is_wide())
+    search.try_packings(continuations(hot.live, old_tuples(hot.live, warm), warm.arcs.size()));
   if (deadline.reached()) return std::nullopt;
   hot.u = search.u();
   hot.lower = search.lower();
