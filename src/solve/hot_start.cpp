@@ -54,15 +54,18 @@ Component live_part(const Problem& problem,
                     const core::Shift& shift,
                     const core::Deadline& deadline) {
   Component live = core::make_component({problem.sizes().begin(), problem.sizes().end()});
-  live.costs.resize(problem.num_arcs());
-  live.arc_origin.resize(problem.num_arcs());
   std::size_t count = 0;
-  const auto note = [&](std::size_t a) {  // without a jump, which nothing foretells
-    live.costs[count] = core::shifted_cost(problem, shift, a);
-    live.arc_origin[count] = static_cast<ArcId>(a);
-    count += live.costs[count] < 0;
-  };
-  if (!core::for_each_until(deadline, problem.num_arcs(), note)) return {};
+  for (std::size_t first = 0; first < problem.num_arcs(); first += core::kSlice) {
+    if (deadline.reached()) return {};
+    const std::size_t end = std::min(first + core::kSlice, problem.num_arcs());
+    live.costs.resize(count + end - first);
+    live.arc_origin.resize(count + end - first);
+    for (std::size_t a = first; a < end; ++a) {  // without a jump, which nothing foretells
+      live.costs[count] = core::shifted_cost(problem, shift, a);
+      live.arc_origin[count] = static_cast<ArcId>(a);
+      count += live.costs[count] < 0;
+    }
+  }
   live.costs.resize(count);
   live.arc_origin.resize(count);
   for (std::size_t k = 0; k < live.sizes.size() && !deadline.reached(); ++k) {
