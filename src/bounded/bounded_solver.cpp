@@ -7,6 +7,8 @@
 #include "bounded/branch_and_bound.hpp"
 #include "bounded/descent.hpp"
 #include "bounded/dual_function.hpp"
+#include "bounded/kept_solver.hpp"
+#include "bounded/recursive.hpp"
 #include "bounded/separable_dual.hpp"
 #include "dual/maximize.hpp"
 
@@ -21,6 +23,8 @@ using core::ArcId;
 constexpr int kSweeps = 10;
 // Above this the relaxation to two dimensions goes before the linear program.
 constexpr std::size_t kManyArcs = 200000;
+// Above this a good choice is recovered before it: the linear program takes a while to find one.
+constexpr std::size_t kSlowLp = 10000;
 constexpr int kEvaluationsBeforeLp = 30;
 // A choice is recovered from the arcs of least reduced cost, so many per index.
 constexpr std::size_t kRecoveredArcsPerIndex = 12;
@@ -61,10 +65,12 @@ void BoundedSolver::start() {
     assign();
   } else {
     ascend();
-    recover(state_.u, {});
+    ++state_.recoveries;
+    offer(descend(state_.u, {}), "recovery");
+    if (component_.num_arcs() > kSlowLp && !is_closed()) recover_at(state_.u);
     const bool relaxes = options_.method == Method::kRelaxation ||
                          (options_.method == Method::kAuto && component_.num_arcs() > kManyArcs);
-    if (state_.lower < state_.best.cost - margin_ && relaxes) relax();
+    if (relaxes && !is_closed()) relax();
   }
   close();
   if (state_.complete) return;
@@ -107,39 +113,68 @@ void BoundedSolver::assign() {
   accept(std::move(u), "bound");
 }
 
-// The report's loop, sections 3 and 4: two sets kept, the others relaxed.
+// The report's loop, sections 3 and 4: two sets kept, or as many as asked for, the others relaxed.
 void BoundedSolver::relax() {
-  DualFunction function(component_);
   const RelaxationOptions& asked = options_.relaxation;
   const bool is_last = options_.method == Method::kRelaxation;
-  dual::MaximizeOptions limits;
-  limits.max_evaluations =
+  LagrangianOptions loop = loop_options(asked, deadline_);
+  loop.max_evaluations =
       is_last ? asked.max_evaluations : std::min(asked.max_evaluations, kEvaluationsBeforeLp);
-  limits.relative_tolerance = asked.relative_tolerance;
-  std::vector<double> u(component_.rows.size());
-  double best = -kInfinity;
-  const auto observe = [&](const dual::Iterate& iterate) {
-    ++state_.evaluations;
-    function.multipliers(u);
-    clamp(component_, u);
-    if (iterate.value > best) {
-      best = iterate.value;
-      accept(u, "bound");
-    }
-    if (iterate.evaluation % asked.recovery_interval == 0) recover(u, function.chosen_arcs());
-    return state_.lower < state_.best.cost - margin_ && !deadline_.reached();
-  };
-  const std::vector<double> start(state_.u.begin() + function.first_slot(), state_.u.end());
-  const DualMethod method = asked.dual_method == DualMethod::kCoordinate
-                                ? DualMethod::kBundleTrust  // which ascend() has done
-                                : asked.dual_method;
-  dual::maximize(method, function, start, limits, observe);
-  recover(state_.u, {});
+  loop.recovery_interval = asked.recovery_interval;
+  loop.margin = margin_;
+  if (asked.kept_sets > 2 && asked.two_first) {
+    LagrangianOptions two = loop;
+    two.num_kept = 2;
+    maximize(two);
+    if (is_closed() || deadline_.reached()) return;
+  }
+  maximize(loop);
 }
 
-// What the relaxed solution chooses comes first, then the arcs of low reduced cost.
-void BoundedSolver::recover(std::span<const double> u, std::span<const ArcId> preferred) {
+void BoundedSolver::maximize(const LagrangianOptions& loop) {
+  const std::int64_t evaluations = state_.evaluations;
+  const std::int64_t nodes = state_.nodes;
+  const auto recover_from = [&](const RelaxedDual& point) { return recover(point); };
+  const std::vector<double> start = state_.u;
+  maximize_dual(component_, start, loop, recover_from, [&](const LagrangianResult& now) {
+    state_.evaluations = evaluations + now.evaluations;
+    state_.nodes = nodes + now.nodes;
+    if (now.lower > state_.certificate) accept(now.u, "bound");
+    raise(now.kept_bound, "bound");
+    offer(now.best, "recovery");
+    return !is_closed();
+  });
+}
+
+// At any multipliers, two dimensions kept.
+void BoundedSolver::recover_at(std::span<const double> u) {
+  DualFunction point(component_);
+  std::vector<double> subgradient(point.num_variables());
+  point.evaluate(u.subspan(point.first_slot()), subgradient);
+  ++state_.evaluations;
+  offer(recover(point), "recovery");
+}
+
+// Greedily, by the report's recursion, or both, with exchanges.
+Choice BoundedSolver::recover(const RelaxedDual& point) {
   ++state_.recoveries;
+  std::vector<double> u(component_.rows.size());
+  point.multipliers(u);
+  clamp(component_, u);
+  const RecoveryMethod method = options_.relaxation.recovery;
+  if (method == RecoveryMethod::kDualGreedy) return descend(u, point.chosen_arcs());
+  Choice best = recover_recursively(component_, point, options_.relaxation, deadline_);
+  if (!options_.search.local_search && method != RecoveryMethod::kLocalSearch) return best;
+  for (const std::span<const ArcId> start :
+       {std::span<const ArcId>(best.arcs), point.chosen_arcs()}) {
+    Choice improved = descend(u, start);
+    if (improved.cost < best.cost) best = std::move(improved);
+  }
+  return best;
+}
+
+// What is preferred comes first, then the arcs of low reduced cost.
+Choice BoundedSolver::descend(std::span<const double> u, std::span<const ArcId> preferred) const {
   std::vector<std::pair<double, ArcId>> order;
   for (ArcId a = 0; a < component_.num_arcs(); ++a)
     order.emplace_back(core::reduced_cost(component_.graph, u, a), a);
@@ -151,7 +186,7 @@ void BoundedSolver::recover(std::span<const double> u, std::span<const ArcId> pr
     if (!std::binary_search(preferred.begin(), preferred.end(), one.second))
       arcs.push_back(one.second);
   });
-  offer(greedy_descent(component_, arcs, deadline_), "recovery");
+  return greedy_descent(component_, arcs, deadline_);
 }
 
 void BoundedSolver::branch(double allowed_gap) {
@@ -198,7 +233,7 @@ void BoundedSolver::raise(double lower, const char* event) {
 }
 
 void BoundedSolver::close() {
-  state_.complete = state_.lower >= state_.best.cost - margin_;
+  state_.complete = is_closed();
   if (state_.complete) state_.stopped = Status::kOptimal;
 }
 

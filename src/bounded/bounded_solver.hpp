@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bounded/bounded_component.hpp"
+#include "bounded/lagrangian.hpp"
 #include "core/clock.hpp"
 #include "nda/options.hpp"
 #include "nda/solution.hpp"
@@ -58,10 +59,14 @@ class BoundedSolver {
   void ascend();
   void assign();
   void relax();
-  void recover(std::span<const double> u, std::span<const core::ArcId> preferred);
+  void maximize(const LagrangianOptions& loop);
+  void recover_at(std::span<const double> u);
+  Choice recover(const RelaxedDual& point);
+  Choice descend(std::span<const double> u, std::span<const core::ArcId> preferred) const;
   void branch(double allowed_gap);
   void accept(std::vector<double> u, const char* event);
   void raise(double lower, const char* event);
+  bool is_closed() const { return state_.lower >= state_.best.cost - margin_; }
   void close();
   Status out_of_time() const;
 

@@ -251,6 +251,62 @@ TEST(ManyToOneLimits, KeepsBothBoundsAtEveryLimit) {
   EXPECT_LT(relaxed.cost - relaxed.lower_bound, 0.2 * std::abs(best));
 }
 
+// The report's algorithm with any number of kept sets and every recovery: bounds hold, and what it
+// recovers is near them.
+TEST(ManyToOneRelaxation, HoldsForEveryNumberOfKeptSetsAndRecovery) {
+  int closed = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    BoundedKind kind;
+    kind.dimensions = 3 + static_cast<int>(seed % 3);
+    kind.num_arcs = 14;
+    kind.tight = seed % 2 == 0;
+    kind.integer = false;
+    const Problem problem = random_bounded_problem(seed, kind);
+    const double optimum = *best_of_all(problem);
+    for (const int kept : {0, 1, 2, 3, 64}) {
+      for (const RecoveryMethod recovery : {RecoveryMethod::kRecursive,
+                                            RecoveryMethod::kDualGreedy,
+                                            RecoveryMethod::kLocalSearch}) {
+        Options options;
+        options.method = Method::kRelaxation;
+        options.relaxation.kept_sets = kept;
+        options.relaxation.recovery = recovery;
+        options.relaxation.kept_exact_arcs = seed % 4 < 2 ? 2000 : 0;
+        options.search.local_search = seed % 3 != 0;
+        const Solution solution = solve(problem, options);
+        EXPECT_TRUE(check(problem, solution).passed());
+        EXPECT_LE(solution.lower_bound, optimum + 1e-8);
+        EXPECT_GE(solution.cost, optimum - 1e-8);
+        closed += solution.cost < optimum + 1e-8 ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(closed, 60 * 15 * 9 / 10);
+}
+
+// Three arcs at -1 that exclude each other pairwise over the first three sets; indices of the
+// fourth may be used twice.  With two sets kept they count one and a half times, with three once.
+TEST(ManyToOneRelaxation, ClosesAGapWithThreeKeptSets) {
+  ProblemBuilder builder({1, 1, 1, 2});
+  builder.add_arc({0, 1, 1, 1}, -1.0);
+  builder.add_arc({1, 0, 1, 2}, -1.0);
+  builder.add_arc({1, 1, 0, 1}, -1.0);
+  for (const Index i : {1u, 2u}) builder.set_use_bounds(3, i, {0, 2});
+  builder.add_arc({0, 0, 1, 1}, -0.1);
+  builder.add_arc({0, 1, 0, 1}, -0.1);
+  const Problem problem = std::move(builder).build();
+  Options options;
+  options.method = Method::kRelaxation;
+  const Solution two = solve(problem, options);
+  options.relaxation.kept_sets = 3;
+  const Solution three = solve(problem, options);
+  EXPECT_NEAR(two.cost, *best_of_all(problem), 1e-9);
+  EXPECT_LT(two.lower_bound, two.cost - 0.1);
+  EXPECT_GT(three.lower_bound, two.lower_bound + 0.1);
+  EXPECT_TRUE(check(problem, three).passed());
+}
+
 // Wherever the deadline strikes, splitting included.
 TEST(ManyToOneLimits, HoldsAtAnyDeadline) {
   for (std::uint64_t seed = 0; seed < 2000; ++seed) {
