@@ -23,9 +23,13 @@ namespace nda {
 /// Options::ranking chooses other ways than this: good solutions without a proof of their ranks,
 /// by partial branch and bound (docs/partial_branch_and_bound.md).
 ///
-/// Throws InputError for k = 0, for k > 1 where an index has bounds on its uses, and where solve()
-/// does.  Cost: one solve(), then O(A N) and a search
-/// that is short where the optimum has little slack; exponential in the worst case.  Thread safe.
+/// With bounds on uses (docs/many_to_one.md) solutions differ by their arcs: how often singletons
+/// are chosen follows from these.  A limit that strikes while ranking leaves those ranks proven
+/// that the bounds of what was not searched prove.
+///
+/// Throws InputError for k = 0, for ways other than RankingMethod::kExact where an index has bounds
+/// on its uses, and where solve() does.  Cost: one solve(), then O(A N) and a search that is short
+/// where the optimum has little slack; exponential in the worst case.  Thread safe.
 Solution solve_k_best(const Problem& problem, std::size_t k, const Options& options = {});
 
 /// How many of the first solutions are proven.
@@ -38,7 +42,8 @@ std::size_t num_proven(const Solution& solution);
 ///     for (nda::RankedSolution next; ranking.next(next) && wanted(next);) use(next);
 ///
 /// They are those of solve_k_best(), of equal cost maybe in another order.  What was found is not
-/// searched again, and a few are found in advance: most calls only hand out the next one.
+/// searched again (but with bounds on uses, where as many again are found at once), and a few are
+/// found in advance: most calls only hand out the next one.
 ///
 /// | status()             | next() gave nothing because                                     |
 /// |----------------------|-----------------------------------------------------------------|
@@ -56,8 +61,7 @@ std::size_t num_proven(const Solution& solution);
 /// may share a problem.
 class Ranking {
  public:
-  /// Solves nothing yet.  Throws InputError where an option is out of range or an index has bounds
-  /// on its uses.
+  /// Solves nothing yet.  Throws InputError where an option is out of range.
   explicit Ranking(const Problem& problem, const Options& options = {});
   explicit Ranking(Problem&& problem, const Options& options = {}) = delete;
   Ranking(Ranking&& other) noexcept;

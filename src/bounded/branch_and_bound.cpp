@@ -5,6 +5,7 @@
 #include <numeric>
 #include <optional>
 #include <queue>
+#include <tuple>
 
 #include "bounded/bound.hpp"
 #include "bounded/cut_pool.hpp"
@@ -51,16 +52,18 @@ struct Node {
 class Search {
  public:
   Search(const BoundedComponent& component,
-         const Choice& start,
+         std::span<const Choice> starts,
          std::span<const double> u,
+         const Wanted& wanted,
          const SearchLimits& limits,
          const SearchNews& news)
       : component_(component),
+        wanted_(wanted),
         limits_(limits),
         news_(news),
         program_(component),
         uses_(component.num_arcs(), Use::kFree) {
-    result_.best = start;
+    for (const Choice& start : starts) keep(start);
     result_.u.assign(u.begin(), u.end());
     clamp(component_, result_.u);
     result_.certificate = result_.lower = lagrangian_bound(component_, result_.u);
@@ -69,6 +72,7 @@ class Search {
   SearchResult run() {
     result_.end = search();
     result_.live_arcs = live_.size();
+    if (!result_.choices.empty()) result_.best = result_.choices.front();
     return std::move(result_);
   }
 
@@ -88,18 +92,29 @@ class Search {
   }
   void round(std::span<const double> u);
   void offer_point();
-  void offer_decided();
-  ArcId branching_arc(std::span<const double> u, bool solved) const;
+  void offer_decided(std::span<const double> u, const CutPrices& charged);
+  void offer_if_within(std::vector<ArcId> arcs);
+  ArcId branching_arc(std::span<const double> u,
+                      const CutPrices& charged,
+                      double bound,
+                      bool solved) const;
+  bool keep(Choice choice);
   void offer(Choice choice);
   void raise(double lower);
 
-  double cutoff() const { return result_.best.cost - limits_.margin; }
+  // Of the last that is wanted.
+  double last_cost() const {
+    const bool is_full = result_.choices.size() == wanted_.count;
+    return is_full ? std::min(result_.choices.back().cost, wanted_.below) : wanted_.below;
+  }
+  double cutoff() const { return last_cost() - limits_.margin; }
   bool is_closed() const { return result_.lower >= cutoff(); }
-  bool is_good_enough() const { return result_.best.cost - result_.lower <= limits_.allowed_gap; }
+  bool is_good_enough() const { return last_cost() - result_.lower <= limits_.allowed_gap; }
 
   static constexpr ArcId kNoArc = ~ArcId{0};
 
   const BoundedComponent& component_;
+  const Wanted& wanted_;
   const SearchLimits& limits_;
   const SearchNews& news_;
   RelaxedProgram program_;
@@ -134,7 +149,10 @@ bool Search::solve_root() {
   core::keep_cheapest(first, kFirstColumnsPerIndex * component_.rows.size() + 1, [&](ArcId a) {
     return core::reduced_cost(component_.graph, result_.u, a);
   });
-  first.insert(first.end(), result_.best.arcs.begin(), result_.best.arcs.end());
+  if (!result_.choices.empty()) {
+    const std::vector<ArcId>& best = result_.choices.front().arcs;
+    first.insert(first.end(), best.begin(), best.end());
+  }
   std::sort(first.begin(), first.end());
   first.erase(std::unique(first.begin(), first.end()), first.end());
   program_.add_arcs(first);
@@ -190,7 +208,7 @@ bool Search::cut() {
 
 // All arcs that a better choice may use, by the multipliers of the root.
 void Search::fix_by_reduced_cost() {
-  fixed_at_ = result_.best.cost;
+  fixed_at_ = cutoff();
   fix_by(result_.u, {}, result_.certificate);
 }
 
@@ -222,7 +240,7 @@ SearchEnd Search::branch() {
     open_.pop();
     const SearchEnd end = dive(node);
     if (end != SearchEnd::kComplete) return end;
-    if (result_.best.cost < fixed_at_ && move_to(-1)) fix_by_reduced_cost();
+    if (cutoff() < fixed_at_ && move_to(-1)) fix_by_reduced_cost();
   }
   return SearchEnd::kComplete;
 }
@@ -245,14 +263,16 @@ SearchEnd Search::dive(Node node) {
     }
     const bool solved = outcome == lp::Outcome::kOptimal;
     const std::vector<double> u = solved ? program_.multipliers() : result_.u;
-    node.bound = std::max(node.bound, lagrangian_bound(component_, u, uses_, prices(solved)));
+    const CutPrices charged = prices(solved);
+    const double bound = lagrangian_bound(component_, u, uses_, charged);
+    node.bound = std::max(node.bound, bound);
     if (node.bound >= cutoff()) return SearchEnd::kComplete;
     if (solved) offer_point();
     if (result_.nodes <= kFirstRoundings || result_.nodes % kNodesPerRounding == 0) round(u);
     if (node.bound >= cutoff()) return SearchEnd::kComplete;
-    const ArcId arc = branching_arc(u, solved);
+    const ArcId arc = branching_arc(u, charged, bound, solved);
     if (arc == kNoArc) {
-      offer_decided();
+      offer_decided(u, charged);
       return SearchEnd::kComplete;
     }
     const Use preferred = program_.use(arc) > 0.5 ? Use::kAlways : Use::kNever;
@@ -325,12 +345,16 @@ void Search::round(std::span<const double> u) {
   offer(greedy_descent(component_, arcs, limits_.deadline));
 }
 
-// What the point of the linear program uses for the greater part, where that exceeds no bound.
+// What the point of the linear program uses for the greater part.
 void Search::offer_point() {
   std::vector<ArcId> arcs;
   for (const ArcId a : live_) {
     if (program_.use(a) > 0.5) arcs.push_back(a);
   }
+  offer_if_within(std::move(arcs));
+}
+
+void Search::offer_if_within(std::vector<ArcId> arcs) {
   const std::vector<Index> used = count_uses(component_.graph, arcs);
   for (std::size_t slot = 0; slot < used.size(); ++slot) {
     if (used[slot] > component_.rows[slot].hi) return;
@@ -338,18 +362,25 @@ void Search::offer_point() {
   offer(make_choice(component_, std::move(arcs)));
 }
 
-// Every arc is decided: that is a choice.
-void Search::offer_decided() {
+// Every arc is decided, or by its reduced cost: that is a choice.
+void Search::offer_decided(std::span<const double> u, const CutPrices& charged) {
   std::vector<ArcId> arcs;
   for (const ArcId a : live_) {
-    if (uses_[a] == Use::kAlways) arcs.push_back(a);
+    const bool is_free = uses_[a] == Use::kFree;
+    const bool is_used = is_free ? reduced_cost_and_error(component_.graph, u, charged, a).value < 0
+                                 : uses_[a] == Use::kAlways;
+    if (is_used) arcs.push_back(a);
   }
-  offer(make_choice(component_, std::move(arcs)));
+  offer_if_within(std::move(arcs));
 }
 
 // The arc whose use is least decided; where all are, one that is still free, the least clear by its
-// reduced cost.
-ArcId Search::branching_arc(std::span<const double> u, bool solved) const {
+// reduced cost.  None where no choice below the cutoff differs from what reduced costs say: the
+// other use of an arc costs as much as that.
+ArcId Search::branching_arc(std::span<const double> u,
+                            const CutPrices& charged,
+                            double bound,
+                            bool solved) const {
   ArcId best = kNoArc;
   double best_score = kIntegral;
   for (const ArcId a : live_) {
@@ -361,21 +392,35 @@ ArcId Search::branching_arc(std::span<const double> u, bool solved) const {
     best = a;
   }
   if (best != kNoArc) return best;
-  double least = kInfinity;
+  const double rounding = 0x1p-52 * (std::abs(cutoff()) + std::abs(bound));
+  double least = cutoff() - bound + rounding;
   for (const ArcId a : live_) {
     if (uses_[a] != Use::kFree) continue;
-    const double r = std::abs(core::reduced_cost(component_.graph, u, a));
-    if (r >= least) continue;
-    least = r;
+    const ReducedCost r = reduced_cost_and_error(component_.graph, u, charged, a);
+    if (std::abs(r.value) - r.error >= least) continue;
+    least = std::abs(r.value) - r.error;
     best = a;
   }
   return best;
 }
 
+// Among the wanted; false where it is not, or known.
+bool Search::keep(Choice choice) {
+  std::vector<Choice>& known = result_.choices;
+  if (choice.cost >= last_cost()) return false;
+  if (wanted_.only_solutions && missing_uses(component_, choice.arcs) > 0) return false;
+  const auto place = std::lower_bound(
+      known.begin(), known.end(), choice, [](const Choice& one, const Choice& other) {
+        return std::tie(one.cost, one.arcs) < std::tie(other.cost, other.arcs);
+      });
+  if (place != known.end() && place->arcs == choice.arcs) return false;
+  known.insert(place, std::move(choice));
+  if (known.size() > wanted_.count) known.pop_back();
+  return true;
+}
+
 void Search::offer(Choice choice) {
-  if (choice.cost >= result_.best.cost) return;
-  result_.best = std::move(choice);
-  if (news_.found) news_.found(result_.best);
+  if (keep(std::move(choice)) && news_.found) news_.found(result_.choices.front());
 }
 
 void Search::raise(double lower) {
@@ -391,7 +436,15 @@ SearchResult branch_and_bound(const BoundedComponent& component,
                               std::span<const double> u,
                               const SearchLimits& limits,
                               const SearchNews& news) {
-  return Search(component, start, u, limits, news).run();
+  return Search(component, std::span(&start, 1), u, Wanted{}, limits, news).run();
+}
+
+SearchResult list_best(const BoundedComponent& component,
+                       std::span<const Choice> starts,
+                       std::span<const double> u,
+                       const Wanted& wanted,
+                       const SearchLimits& limits) {
+  return Search(component, starts, u, wanted, limits, {}).run();
 }
 
 }  // namespace nda::bounded

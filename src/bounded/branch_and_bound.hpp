@@ -18,6 +18,13 @@ struct SearchLimits {
   core::Deadline deadline;
 };
 
+/// Which choices are wanted.
+struct Wanted {
+  std::size_t count = 1;        ///< the best so many
+  double below = kInfinity;     ///< that cost less
+  bool only_solutions = false;  ///< those that pay no penalty
+};
+
 /// Why a search ended.
 enum class SearchEnd { kComplete, kGap, kNodes, kDeadline };
 
@@ -31,8 +38,12 @@ struct SearchNews {
 struct SearchResult {
   SearchEnd end = SearchEnd::kComplete;
   Choice best;
-  double lower = -kInfinity;  ///< valid whatever the end; >= best.cost - margin where complete
-  std::vector<double> u;      ///< the best multipliers before branching, by slot
+  /// The wanted that were found, cheapest first, all different: all there are where complete.
+  std::vector<Choice> choices;
+  /// Valid whatever the end for `best`, and for every choice that is wanted and not among
+  /// `choices`; no less than the last of them, or `below`, less the margin, where complete.
+  double lower = -kInfinity;
+  std::vector<double> u;            ///< the best multipliers before branching, by slot
   double certificate = -kInfinity;  ///< what they prove
   std::int64_t nodes = 0;
   std::size_t live_arcs = 0;  ///< after fixing by reduced costs
@@ -53,5 +64,15 @@ SearchResult branch_and_bound(const BoundedComponent& component,
                               std::span<const double> u,
                               const SearchLimits& limits,
                               const SearchNews& news);
+
+/// The best choices of a component, by the same search: a branch goes on below a choice that was
+/// found until it can hold no other.
+///
+/// @param starts  choices to begin with; those that are wanted are answers
+SearchResult list_best(const BoundedComponent& component,
+                       std::span<const Choice> starts,
+                       std::span<const double> u,
+                       const Wanted& wanted,
+                       const SearchLimits& limits);
 
 }  // namespace nda::bounded

@@ -17,18 +17,23 @@ std::vector<BoundedComponent> cut_parts(const BoundedComponent& whole,
   if (!decompose) decompose::join(partition);
   core::Cutter cutter;
   for (std::size_t c = 0; c < partition.num_components() && !deadline.reached(); ++c) {
-    const std::span<const ArcId> arcs = partition.component(c);
-    BoundedComponent& part = parts.emplace_back();
-    part.graph = cutter.cut(whole.graph, arcs);
-    part.graph.arc_origin.assign(arcs.begin(), arcs.end());
-    part.rows.resize(part.graph.num_slots());
-    const std::vector<std::uint32_t> slots = core::slots_in_part(whole.graph, part.graph);
-    for (std::size_t slot = 0; slot < slots.size(); ++slot) {
-      if (slots[slot] != 0) part.rows[slots[slot]] = whole.rows[slot];
-    }
-    fit_rows(part);
+    parts.push_back(cut_arcs(whole, partition.component(c), cutter));
   }
   return parts;
+}
+
+BoundedComponent cut_arcs(const BoundedComponent& whole,
+                          std::span<const ArcId> arcs,
+                          core::Cutter& cutter) {
+  BoundedComponent part{cutter.cut(whole.graph, arcs), {}};
+  part.graph.arc_origin.assign(arcs.begin(), arcs.end());
+  part.rows.resize(part.graph.num_slots());
+  const std::vector<std::uint32_t> slots = core::slots_in_part(whole.graph, part.graph);
+  for (std::size_t slot = 0; slot < slots.size(); ++slot) {
+    if (slots[slot] != 0) part.rows[slots[slot]] = whole.rows[slot];
+  }
+  fit_rows(part);
+  return part;
 }
 
 double cost_without_arcs(const BoundedComponent& whole) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "bounded/bounded_component.hpp"
@@ -14,6 +15,11 @@ namespace nda::bounded {
 std::vector<BoundedComponent> cut_parts(const BoundedComponent& whole,
                                         const core::Deadline& deadline,
                                         bool decompose = true);
+
+/// These arcs of a component, ascending, and the indices they use; arc_origin are the arcs.
+BoundedComponent cut_arcs(const BoundedComponent& whole,
+                          std::span<const core::ArcId> arcs,
+                          core::Cutter& cutter);
 
 /// What all indices without arcs cost.
 double cost_without_arcs(const BoundedComponent& whole);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bounded/parts.hpp"
 #include "core/double_double.hpp"
 #include "core/fault_text.hpp"
 #include "decompose/components.hpp"
@@ -20,6 +21,17 @@ constexpr double kArcsPerDimension = 16;
 
 bool is_once(const UseBounds& bounds) {
   return bounds == UseBounds{};
+}
+
+// As asked for; an index whose singleton pays is left alone as often as it may be.
+Row row_of(const Problem& problem, int k, Index i) {
+  const UseBounds asked = problem.use_bounds(k, i);
+  Row row;
+  row.single = problem.singleton_costs(k)[i];
+  row.lo = row.single < 0 ? asked.hi : asked.lo;
+  row.hi = asked.hi;
+  row.is_forced = row.single == kInfinity;
+  return row;
 }
 
 class Splitter {
@@ -53,22 +65,12 @@ class Splitter {
  private:
   std::size_t num_dimensions() const { return problem_.sizes().size(); }
   Index index(std::size_t k, ArcId a) const { return problem_.indices(static_cast<int>(k))[a]; }
-  double single(std::size_t k, Index i) const {
-    return problem_.singleton_costs(static_cast<int>(k))[i];
-  }
 
-  // What is asked for; an index whose singleton pays is left alone as often as it may be.
   void read_rows() {
     for (std::size_t k = 0; k < num_dimensions(); ++k) {
       std::vector<Row>& rows =
           rows_.emplace_back(problem_.size(static_cast<int>(k)) + std::size_t{1});
-      for (Index i = 1; i < rows.size(); ++i) {
-        const UseBounds asked = problem_.use_bounds(static_cast<int>(k), i);
-        rows[i].single = single(k, i);
-        rows[i].lo = rows[i].single < 0 ? asked.hi : asked.lo;
-        rows[i].hi = asked.hi;
-        rows[i].is_forced = rows[i].single == kInfinity;
-      }
+      for (Index i = 1; i < rows.size(); ++i) rows[i] = row_of(problem_, static_cast<int>(k), i);
       split_.charge.emplace_back(rows.size(), 0.0);
       split_.in_rest.emplace_back(rows.size(), 0);
       split_.alone.emplace_back(rows.size(), Split::kNoArc);
@@ -242,6 +244,25 @@ class Splitter {
 
 Split split(const Problem& problem, const core::Deadline& deadline) {
   return Splitter(problem, deadline).run();
+}
+
+BoundedComponent whole_component(const Problem& problem, std::span<const ArcId> arcs) {
+  BoundedComponent whole{core::make_component({problem.sizes().begin(), problem.sizes().end()}),
+                         {}};
+  whole.rows.resize(whole.graph.num_slots());
+  std::vector<Index> tuple(problem.sizes().size());
+  for (const ArcId a : arcs) {
+    for (std::size_t k = 0; k < tuple.size(); ++k)
+      tuple[k] = problem.indices(static_cast<int>(k))[a];
+    core::append_arc(whole.graph, tuple, problem.costs()[a]);
+  }
+  whole.graph.arc_origin.assign(arcs.begin(), arcs.end());
+  core::for_each_index(whole.graph, [&](std::uint32_t slot, std::size_t k, Index i) {
+    whole.rows[slot] = row_of(problem, static_cast<int>(k), i);
+  });
+  fit_rows(whole);
+  set_modest_penalties(whole);
+  return whole;
 }
 
 double largest_cost(const BoundedComponent& component) {

@@ -40,6 +40,10 @@ struct Split {
 /// O(A N log A).  Without parts and rest where the deadline strikes.
 Split split(const Problem& problem, const core::Deadline& deadline);
 
+/// All indices of a problem with these arcs alone, ascending, as one component, with penalties in
+/// place of forbidden singletons.  Nothing is left out that cannot improve: for second bests.
+BoundedComponent whole_component(const Problem& problem, std::span<const core::ArcId> arcs);
+
 /// A penalty for each missing use of an index whose singleton is forbidden: 16 (N + 1) times the
 /// largest |c'| or singleton, which is nearly always enough.
 void set_modest_penalties(BoundedComponent& component);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -23,18 +24,18 @@ void rank(const Problem& problem, Solution& solution, std::size_t k, const Optio
                                     options.stop,
                                     options.time_limit_s - solution.stats.solve_seconds);
   const core::Deadline& deadline = supervision.deadline();
-  kbest::Ranker ranker(problem, solution);
+  const std::unique_ptr<kbest::Ranker> ranker = kbest::make_ranker(problem, solution);
   const std::size_t enough = solution.proven ? k : 1;
-  ranker.list(enough, k, {options.branch.max_nodes - solution.stats.nodes, deadline});
-  std::vector<RankedSolution> ranks = ranker.listed();
+  ranker->list(enough, k, {options.branch.max_nodes - solution.stats.nodes, deadline});
+  std::vector<RankedSolution> ranks = ranker->listed();
   if (ranks.empty()) ranks = solution.solutions;
   if (ranks.size() > k) ranks.resize(k);
   kbest::sort_by_cost(ranks);
-  if (!ranker.has_all() && ranks.size() < k)
-    std::ranges::move(ranker.unlisted(0, k - ranks.size(), deadline), std::back_inserter(ranks));
-  solution.lists_all = ranker.has_all() && ranks.size() == ranker.listed().size();
+  if (!ranker->has_all() && ranks.size() < k)
+    std::ranges::move(ranker->unlisted(0, k - ranks.size(), deadline), std::back_inserter(ranks));
+  solution.lists_all = ranker->has_all() && ranks.size() == ranker->listed().size();
   kbest::adopt(solution, std::move(ranks));
-  solution.stats.nodes += ranker.nodes();
+  solution.stats.nodes += ranker->nodes();
   solution.stats.solve_seconds += deadline.seconds();
 }
 
@@ -42,8 +43,8 @@ void rank(const Problem& problem, Solution& solution, std::size_t k, const Optio
 
 Solution solve_k_best(const Problem& problem, std::size_t k, const Options& options) {
   if (k == 0) throw InputError("k is 0; at least 1 solution must be asked for");
-  if (k > 1 || options.ranking.method != RankingMethod::kExact)
-    core::require_single_uses(problem, "ranking");
+  if (options.ranking.method != RankingMethod::kExact)
+    core::require_single_uses(problem, "ranking by alignments");
   Solution solution = solve(problem, options);
   if (solution.solutions.empty()) return solution;
   if (options.ranking.method != RankingMethod::kExact) {

@@ -1,10 +1,9 @@
 #include <algorithm>
 #include <iterator>
-#include <optional>
+#include <memory>
 #include <utility>
 #include <vector>
 
-#include "core/use_bounds.hpp"
 #include "kbest/ranker.hpp"
 #include "kbest/ranking_progress.hpp"
 #include "nda/k_best.hpp"
@@ -89,7 +88,7 @@ class Ranking::State {
       ranker_.reset();
       solution_ = solve(problem_, options);
       seconds = solution_.stats.solve_seconds;
-      if (!solution_.solutions.empty()) ranker_.emplace(problem_, solution_);
+      if (!solution_.solutions.empty()) ranker_ = kbest::make_ranker(problem_, solution_);
     } else {
       validate(options);
     }
@@ -122,14 +121,13 @@ class Ranking::State {
   const Options options_;
   Solution solution_;  // "interrupted" until it is solved
   Status status_ = Status::kInterrupted;
-  std::optional<kbest::Ranker> ranker_;
+  std::unique_ptr<kbest::Ranker> ranker_;
   std::vector<RankedSolution> others_;  // beside the best one, where that is not proven
   std::size_t given_ = 0;
 };
 
 Ranking::Ranking(const Problem& problem, const Options& options) {
   validate(options);
-  core::require_single_uses(problem, "ranking");
   state_ = std::make_unique<State>(problem, options);
 }
 

@@ -21,7 +21,18 @@ constexpr double kCountMargin = 0.5;
 // What bounds from a linear program can be relied on to reach, relative to the sum of all sizes.
 constexpr double kProgramError = 0x1p-43;
 
-// Penalties do not count: bounds allow for what they round off, and solutions pay none.
+// Costs nothing but missing uses of indices with forbidden singletons, 1 each.
+BoundedComponent counting(BoundedComponent component) {
+  std::fill(component.graph.costs.begin(), component.graph.costs.end(), 0.0);
+  for (bounded::Row& row : component.rows) {
+    if (!row.is_forced) row.lo = 0;
+    row.single = row.is_forced ? 1 : 0;
+  }
+  return component;
+}
+
+}  // namespace
+
 Precision precision_of_part(const BoundedComponent& component, const core::CostGrid& grid) {
   const double scale = bounded::most_uses(component) * bounded::largest_cost(component);
   Precision precision;
@@ -34,18 +45,6 @@ Precision precision_of_part(const BoundedComponent& component, const core::CostG
   }
   return precision;
 }
-
-// Costs nothing but missing uses of indices with forbidden singletons, 1 each.
-BoundedComponent counting(BoundedComponent component) {
-  std::fill(component.graph.costs.begin(), component.graph.costs.end(), 0.0);
-  for (bounded::Row& row : component.rows) {
-    if (!row.is_forced) row.lo = 0;
-    row.single = row.is_forced ? 1 : 0;
-  }
-  return component;
-}
-
-}  // namespace
 
 BoundedPart::BoundedPart(BoundedComponent component,
                          const Options& options,

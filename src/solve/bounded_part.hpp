@@ -14,6 +14,10 @@
 
 namespace nda::pipeline {
 
+/// How exactly the costs of its choices are known.  Penalties do not count: bounds allow for what
+/// they round off, and solutions pay none.
+Precision precision_of_part(const bounded::BoundedComponent& component, const core::CostGrid& grid);
+
 /// A part of a problem with bounds and its solver.
 ///
 /// Forbidden singletons are priced: a best choice that pays no penalty is a best solution however

@@ -78,14 +78,15 @@ TEST(ManyToOne, IsComparedByWhatKnowsIt) {
               HasSubstr("skipped    -       index 1 of dimension 2 has bounds 1..2\n"));
 }
 
-TEST(ManyToOne, IsNotRanked) {
+// -3.5 where both targets take detection 1, -1 where each takes its own.
+TEST(ManyToOne, IsRanked) {
   const TemporaryFolder folder;
   write_file(folder / "a.nda", kProblem);
-  const Outcome outcome = run(folder, "nda solve a.nda -q --k 2");
-  EXPECT_EQ(outcome.code, 2);
-  EXPECT_EQ(
-      outcome.log,
-      "nda: ranking cannot deal with bounds on uses: index 1 of dimension 2 has bounds 1..2\n");
+  const Outcome outcome = run(folder, "nda solve a.nda -q --k 2 --output a.json");
+  EXPECT_EQ(outcome.code, 0) << outcome.log;
+  EXPECT_THAT(outcome.output, HasSubstr("\nranks         2, 2 of them proven\n"));
+  EXPECT_THAT(outcome.output, HasSubstr("\n         2          -1.000000            2.5 "));
+  EXPECT_THAT(run(folder, "nda check a.nda a.json").output, HasSubstr("passed"));
 }
 
 }  // namespace

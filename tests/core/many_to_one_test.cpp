@@ -253,8 +253,6 @@ TEST(BoundsOnUses, AreRefusedByWhatDoesNotKnowThem) {
   const std::string where =
       " cannot deal with bounds on uses: index 1 of dimension 2 has bounds 1..2";
   EXPECT_EQ(message_of([&] { core::make_shift(problem); }), "the cost shift" + where);
-  EXPECT_EQ(message_of([&] { solve_k_best(problem, 2); }), "ranking" + where);
-  EXPECT_EQ(message_of([&] { Ranking ranking(problem); }), "ranking" + where);
 }
 
 }  // namespace

@@ -132,7 +132,7 @@ TEST(ManyToOneTiny, LeavesAloneAsOftenAsItPays) {
   EXPECT_NEAR(solution.lower_bound, -6, 1e-8);
 }
 
-TEST(ManyToOneTiny, RefusesProofsAndLists) {
+TEST(ManyToOneTiny, RefusesProofsAndAlignments) {
   ProblemBuilder builder({1, 2});
   builder.add_arc({1, 1}, -3.0);
   builder.set_use_bounds(1, 2, {0, 2});
@@ -145,8 +145,9 @@ TEST(ManyToOneTiny, RefusesProofsAndLists) {
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("index 2 of dimension 2"));
   }
-  EXPECT_THROW(solve_k_best(problem, 2), InputError);
-  EXPECT_EQ(solve_k_best(problem, 1).cost, -3);
+  options.proof = false;
+  options.ranking.method = RankingMethod::kAlignments;
+  EXPECT_THROW(solve_k_best(problem, 2, options), InputError);
 }
 
 Problem medium(std::uint64_t seed, int tracks = 40) {

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "kbest/combinations.hpp"
+#include "kbest/part.hpp"
+#include "kbest/ranker.hpp"
+#include "kbest/slack_view.hpp"
+#include "nda/problem.hpp"
+#include "nda/solution.hpp"
+
+namespace nda::kbest {
+
+/// The solutions of a problem whose indices are used once, by a threshold on slack.
+class SlackRanker : public Ranker {
+ public:
+  SlackRanker(const Problem& problem, const Solution& solution);
+
+  bool list(std::size_t enough, std::size_t planned, const RankLimits& limits) override;
+  std::vector<RankedSolution> unlisted(std::size_t skipped,
+                                       std::size_t count,
+                                       const core::Deadline& deadline) override;
+
+ private:
+  bool look(std::size_t planned, const core::Deadline& deadline);
+  void sort_neighbours(std::size_t count);
+  double reach_of(std::size_t within);
+  double next_reach(std::size_t planned);
+  double reached() const;
+  bool widen(double reach, std::size_t k, const RankLimits& limits);
+  bool split(double reach, std::size_t k, const core::Deadline& deadline);
+  bool replace_parts(const std::vector<core::ArcId>& near, const core::Deadline& deadline);
+  bool add_sums(double reach, std::size_t k, const core::Deadline& deadline);
+  bool is_listed(const std::vector<core::ArcId>& arcs) const;
+  void append(std::vector<std::vector<core::ArcId>> found);
+
+  const Problem& problem_;
+  const Solution& solution_;
+  std::optional<SlackView> view_;
+  std::vector<SlackView::Neighbour> neighbours_;
+  std::size_t num_sorted_ = 0;  // of them, the cheapest
+  double error_ = 0;            // of rounding
+  double grid_ = 0;             // spacing of the costs
+  double cut_reach_ = -1;       // what the parts were made for
+  double next_arc_ = 0;         // reduced cost that arcs in no part have at least
+  std::vector<Part> parts_;     // all arcs within cut_reach_
+  double reach_ = 0;            // all within are listed, unless that was
+  bool is_cut_short_ = false;   // by the number asked for
+  std::size_t within_ = 0;      // neighbours that the reach was for
+  Combinations combinations_;
+  std::vector<std::vector<core::ArcId>> arcs_;  // of those listed, in the order they were found
+  std::unordered_multimap<std::size_t, std::size_t> by_hash_;  // of the arcs, their number
+};
+
+}  // namespace nda::kbest
