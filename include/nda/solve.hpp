@@ -18,8 +18,8 @@ namespace nda {
 /// are statuses.  Thread safe.
 /// @param warm_start  what is known beforehand, see there: saves time, changes neither the cost nor
 ///                    that it is proven.  `components` are then those that it leaves open.  It is
-///                    ignored with Options::proof, with Method::kRelaxation, where singletons are
-///                    forbidden, and where indices have bounds on their uses.
+///                    ignored with Options::proof, with Method::kRelaxation, and where singletons
+///                    are forbidden, but for parts with bounds on uses.
 Solution solve(const Problem& problem,
                const Options& options = {},
                const WarmStart& warm_start = {});

@@ -55,7 +55,7 @@ void BoundedSolver::offer(const Choice& choice, const char* event) {
   if (moved_) moved_(change, 0, event);
 }
 
-void BoundedSolver::start() {
+void BoundedSolver::start(const BoundedHint& hint) {
   if (deadline_.reached()) {
     state_.stopped = out_of_time();
     return;
@@ -64,7 +64,10 @@ void BoundedSolver::start() {
   if (two_dimensional) {
     assign();
   } else {
-    ascend();
+    if (!hint.u.empty()) accept(hint.u, "warm start");
+    if (!hint.arcs.empty()) offer(greedy_descent(component_, hint.arcs, deadline_), "warm start");
+    const std::vector<double> begin = hint.u.empty() ? state_.u : hint.u;
+    if (!is_closed()) ascend(begin);
     ++state_.recoveries;
     offer(descend(state_.u, {}), "recovery");
     if (component_.num_arcs() > kSlowLp && !is_closed()) recover_at(state_.u);
@@ -89,12 +92,12 @@ void BoundedSolver::finish(double allowed_gap) {
 }
 
 // All dimensions relaxed, from what the arcs of each index offer.
-void BoundedSolver::ascend() {
+void BoundedSolver::ascend(std::span<const double> start) {
   SeparableDual function(component_);
   dual::MaximizeOptions limits;
   limits.max_evaluations = kSweeps;
   dual::MaximizeResult found = dual::maximize_coordinate(
-      function, state_.u, limits, [&](const dual::Iterate&) { return !deadline_.reached(); });
+      function, start, limits, [&](const dual::Iterate&) { return !deadline_.reached(); });
   state_.evaluations += found.evaluations;
   accept(std::move(found.point), "bound");
 }

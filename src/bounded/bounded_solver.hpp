@@ -27,6 +27,12 @@ struct BoundedState {
   std::size_t live_arcs = 0;  ///< after fixing by reduced costs
 };
 
+/// What is known of a component before it is solved; advice.
+struct BoundedHint {
+  std::vector<double> u;          ///< by slot; empty: nothing
+  std::vector<core::ArcId> arcs;  ///< to be chosen greedily, first to last; may be empty
+};
+
 /// Solves one component with bounds in two stages, like its one-to-one counterpart.  Deterministic:
 /// limits are counted in work; only the deadline looks at a clock.
 class BoundedSolver {
@@ -47,7 +53,7 @@ class BoundedSolver {
 
   /// First stage: coordinate ascent and a greedy choice; two dimensions exactly; Lagrangian
   /// relaxation where that is all that is asked for, or where a linear program would be large.
-  void start();
+  void start(const BoundedHint& hint = {});
 
   /// Second stage, if not complete: linear programs and branching until the gap is at most
   /// `allowed_gap`, or a limit strikes.
@@ -56,7 +62,7 @@ class BoundedSolver {
   const BoundedState& state() const { return state_; }
 
  private:
-  void ascend();
+  void ascend(std::span<const double> start);
   void assign();
   void relax();
   void maximize(const LagrangianOptions& loop);

@@ -7,6 +7,7 @@
 
 #include "bounded/split.hpp"
 #include "core/fault_text.hpp"
+#include "solve/bounded_hint.hpp"
 #include "solve/supervision.hpp"
 
 namespace nda::pipeline {
@@ -90,8 +91,9 @@ void BoundedPart::look() {
   monitor_.component_done();
 }
 
-void BoundedPart::start() {
-  solver_->start();
+void BoundedPart::start(const WarmStart& warm) {
+  const bool is_warm = options_.method != Method::kRelaxation;
+  solver_->start(is_warm ? make_hint(component_, warm) : bounded::BoundedHint{});
   look();
 }
 

@@ -9,6 +9,7 @@
 #include "core/shift.hpp"
 #include "nda/options.hpp"
 #include "nda/solution.hpp"
+#include "nda/warm_start.hpp"
 #include "solve/component_solver.hpp"
 #include "solve/monitor.hpp"
 
@@ -32,7 +33,7 @@ class BoundedPart {
               const core::Deadline& deadline,
               Monitor& monitor);
 
-  void start();
+  void start(const WarmStart& warm);
   void finish(double allowed_gap);
 
   const bounded::BoundedComponent& component() const { return component_; }

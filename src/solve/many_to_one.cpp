@@ -37,9 +37,13 @@ constexpr double kMergeSecondsPerEntry = 2e-8;
 
 class ManyToOne {
  public:
-  ManyToOne(const Problem& problem, const Options& options, const SolveOnce& solve_once)
+  ManyToOne(const Problem& problem,
+            const Options& options,
+            const WarmStart& warm,
+            const SolveOnce& solve_once)
       : problem_(problem),
         options_(options),
+        warm_(warm),
         solve_once_(solve_once),
         supervision_(options.progress, options.stop, work_limit()) {}
 
@@ -51,7 +55,7 @@ class ManyToOne {
     if (!split_.infeasible.empty()) return infeasible(split_.infeasible);
     if (!split_.rest) return without_search();
     prepare();
-    for_all_parts([](BoundedPart& part) { part.start(); });
+    for_all_parts([&](BoundedPart& part) { part.start(warm_); });
     solve_rest(rest_options());
     const double gap = allowed_gap();
     const double share = parts_.empty() ? 0 : gap / static_cast<double>(parts_.size());
@@ -110,7 +114,7 @@ class ManyToOne {
   }
 
   void solve_rest(const Options& options) {
-    Solution solved = solve_once_(*split_.rest, options);
+    Solution solved = solve_once_(*split_.rest, options, warm_);
     if (rest_ && solved.lower_bound <= rest_->lower_bound && solved.cost >= rest_->cost) return;
     rest_ = std::move(solved);
     Progress now;
@@ -377,6 +381,7 @@ class ManyToOne {
 
   const Problem& problem_;
   const Options& options_;
+  const WarmStart& warm_;
   const SolveOnce& solve_once_;
   Supervision supervision_;
   const core::Deadline& deadline_ = supervision_.deadline();
@@ -395,9 +400,10 @@ class ManyToOne {
 
 Solution solve_many_to_one(const Problem& problem,
                            const Options& options,
+                           const WarmStart& warm_start,
                            const SolveOnce& solve_once) {
   if (options.proof) core::require_single_uses(problem, "a proof");
-  return ManyToOne(problem, options, solve_once).run();
+  return ManyToOne(problem, options, warm_start, solve_once).run();
 }
 
 }  // namespace nda::pipeline

@@ -481,9 +481,7 @@ Solution solve(const Problem& problem, const Options& options, const WarmStart& 
   if (problem.num_dimensions() == 0) throw InputError("the problem was moved from: 0 dimensions");
   validate(options);
   if (!problem.is_many_to_one()) return solve_once(problem, options, warm_start);
-  return pipeline::solve_many_to_one(problem, options, [](const Problem& rest, const Options& run) {
-    return solve_once(rest, run, {});
-  });
+  return pipeline::solve_many_to_one(problem, options, warm_start, solve_once);
 }
 
 }  // namespace nda

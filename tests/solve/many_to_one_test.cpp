@@ -356,6 +356,48 @@ TEST(ManyToOneLimits, TellsOfProgressThatNeverGoesBack) {
   EXPECT_NEAR(last.cost, solution.cost, 1e-6);
 }
 
+// Whatever a warm start says, the answer is the same.
+TEST(ManyToOneWarmStart, IsNeverTrusted) {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE(seed);
+    BoundedKind kind;
+    kind.dimensions = 2 + static_cast<int>(seed % 4);
+    kind.num_arcs = 12;
+    kind.tight = seed % 2 == 0;
+    kind.forbidding = seed % 3 == 0;
+    const Problem problem = random_bounded_problem(seed, kind);
+    const Solution cold = solve(problem);
+    core::Random random(seed);
+    WarmStart warm = warm_start(cold);
+    for (std::vector<double>& u : warm.multipliers) {
+      for (double& one : u) one += random.below(4) == 0 ? random.uniform(-1e6, 1e6) : 0.0;
+      if (random.below(3) == 0) u.push_back(kInfinity);
+    }
+    for (std::vector<Index>& tuple : warm.arcs) {
+      for (Index& i : tuple) i = random.below(3) == 0 ? static_cast<Index>(random.below(9)) : i;
+      if (random.below(4) == 0) tuple.pop_back();
+    }
+    warm.arcs.emplace_back();
+    const Solution solution = solve(problem, {}, warm);
+    EXPECT_STREQ(to_string(solution.status), to_string(cold.status));
+    if (cold.status != Status::kInfeasible) {
+      EXPECT_NEAR(solution.cost, cold.cost, 1e-9);
+    }
+    EXPECT_TRUE(check(problem, solution).passed());
+  }
+}
+
+// A problem's own solution is found at once: next to no evaluations, hardly any nodes.
+TEST(ManyToOneWarmStart, SavesWork) {
+  const Problem problem = medium(3, 150);
+  const Solution cold = solve(problem);
+  const Solution warm = solve(problem, {}, warm_start(cold));
+  EXPECT_NEAR(warm.cost, cold.cost, 1e-9);
+  EXPECT_STREQ(to_string(warm.status), "optimal");
+  EXPECT_LT(warm.stats.dual_evaluations, cold.stats.dual_evaluations / 2);
+  EXPECT_LE(warm.stats.nodes, cold.stats.nodes);
+}
+
 TEST(ManyToOneThreads, ChangeNothing) {
   const Problem problem = medium(9, 150);
   Options options;
