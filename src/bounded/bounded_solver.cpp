@@ -12,8 +12,11 @@
 #include "bounded/separable_dual.hpp"
 #include "dual/maximize.hpp"
 
-// Coordinate ascent is cheap and gives multipliers within some percent of the best; the linear
-// program starts from the columns that they find cheap.  In two dimensions one flow is the answer.
+// The linear program starts from the columns that good multipliers find cheap.  Coordinate ascent
+// gives some at once; in large parts it creeps, where an evaluation of two kept dimensions takes as
+// long as a third of a sweep and 30 of them, by bundle trust, come within some percent of the best.
+// From there recursive recovery finds at once what exchanges take long for.  In two dimensions one
+// flow is the answer.
 
 namespace nda::bounded {
 namespace {
@@ -21,10 +24,9 @@ namespace {
 using core::ArcId;
 
 constexpr int kSweeps = 10;
+constexpr int kFewSweeps = 2;
 // Above this the relaxation to two dimensions goes before the linear program.
-constexpr std::size_t kManyArcs = 200000;
-// Above this a good choice is recovered before it: the linear program takes a while to find one.
-constexpr std::size_t kSlowLp = 10000;
+constexpr std::size_t kManyArcs = 5000;
 constexpr int kEvaluationsBeforeLp = 30;
 // A choice is recovered from the arcs of least reduced cost, so many per index.
 constexpr std::size_t kRecoveredArcsPerIndex = 12;
@@ -60,20 +62,12 @@ void BoundedSolver::start(const BoundedHint& hint) {
     state_.stopped = out_of_time();
     return;
   }
-  const bool two_dimensional = component_.graph.num_dimensions() <= 2;
-  if (two_dimensional) {
+  if (component_.graph.num_dimensions() <= 2) {
     assign();
   } else {
     if (!hint.u.empty()) accept(hint.u, "warm start");
     if (!hint.arcs.empty()) offer(greedy_descent(component_, hint.arcs, deadline_), "warm start");
-    const std::vector<double> begin = hint.u.empty() ? state_.u : hint.u;
-    if (!is_closed()) ascend(begin);
-    ++state_.recoveries;
-    offer(descend(state_.u, {}), "recovery");
-    if (component_.num_arcs() > kSlowLp && !is_closed()) recover_at(state_.u);
-    const bool relaxes = options_.method == Method::kRelaxation ||
-                         (options_.method == Method::kAuto && component_.num_arcs() > kManyArcs);
-    if (relaxes && !is_closed()) relax();
+    if (!is_closed()) approximate(hint.u.empty() ? state_.u : hint.u);
   }
   close();
   if (state_.complete) return;
@@ -91,11 +85,24 @@ void BoundedSolver::finish(double allowed_gap) {
   }
 }
 
+// Multipliers near the best, and a choice.
+void BoundedSolver::approximate(const std::vector<double>& start) {
+  const bool is_last = options_.method == Method::kRelaxation;
+  const bool relaxes =
+      is_last || (options_.method == Method::kAuto && component_.num_arcs() > kManyArcs);
+  ascend(start, relaxes ? kFewSweeps : kSweeps);
+  if (!relaxes || is_last) {
+    ++state_.recoveries;
+    offer(descend(state_.u, {}), "recovery");
+  }
+  if (relaxes && !is_closed()) relax(is_last);
+}
+
 // All dimensions relaxed, from what the arcs of each index offer.
-void BoundedSolver::ascend(std::span<const double> start) {
+void BoundedSolver::ascend(std::span<const double> start, int sweeps) {
   SeparableDual function(component_);
   dual::MaximizeOptions limits;
-  limits.max_evaluations = kSweeps;
+  limits.max_evaluations = sweeps;
   dual::MaximizeResult found = dual::maximize_coordinate(
       function, start, limits, [&](const dual::Iterate&) { return !deadline_.reached(); });
   state_.evaluations += found.evaluations;
@@ -117,14 +124,15 @@ void BoundedSolver::assign() {
 }
 
 // The report's loop, sections 3 and 4: two sets kept, or as many as asked for, the others relaxed.
-void BoundedSolver::relax() {
+// Before a linear program few evaluations do, in half of the time, and a single recovery.
+void BoundedSolver::relax(bool is_last) {
   const RelaxationOptions& asked = options_.relaxation;
-  const bool is_last = options_.method == Method::kRelaxation;
   LagrangianOptions loop = loop_options(asked, deadline_);
   loop.max_evaluations =
       is_last ? asked.max_evaluations : std::min(asked.max_evaluations, kEvaluationsBeforeLp);
-  loop.recovery_interval = asked.recovery_interval;
+  loop.recovery_interval = is_last ? asked.recovery_interval : 0;
   loop.margin = margin_;
+  if (!is_last) loop.deadline = deadline_.earlier(deadline_.remaining_s() / 2);
   if (asked.kept_sets > 2 && asked.two_first) {
     LagrangianOptions two = loop;
     two.num_kept = 2;
@@ -137,28 +145,21 @@ void BoundedSolver::relax() {
 void BoundedSolver::maximize(const LagrangianOptions& loop) {
   const std::int64_t evaluations = state_.evaluations;
   const std::int64_t nodes = state_.nodes;
-  const auto recover_from = [&](const RelaxedDual& point) { return recover(point); };
-  const std::vector<double> start = state_.u;
-  maximize_dual(component_, start, loop, recover_from, [&](const LagrangianResult& now) {
+  const auto learn = [&](const LagrangianResult& now) {
     state_.evaluations = evaluations + now.evaluations;
     state_.nodes = nodes + now.nodes;
     if (now.lower > state_.certificate) accept(now.u, "bound");
     raise(now.kept_bound, "bound");
     offer(now.best, "recovery");
     return !is_closed();
-  });
+  };
+  const auto recover_from = [&](const RelaxedDual& point) { return recover(point); };
+  const std::vector<double> start = state_.u;
+  learn(maximize_dual(component_, start, loop, recover_from, learn));
 }
 
-// At any multipliers, two dimensions kept.
-void BoundedSolver::recover_at(std::span<const double> u) {
-  DualFunction point(component_);
-  std::vector<double> subgradient(point.num_variables());
-  point.evaluate(u.subspan(point.first_slot()), subgradient);
-  ++state_.evaluations;
-  offer(recover(point), "recovery");
-}
-
-// Greedily, by the report's recursion, or both, with exchanges.
+// Greedily, by the report's recursion, or both, with exchanges; where exchanges take long, the
+// recursion is the better start.
 Choice BoundedSolver::recover(const RelaxedDual& point) {
   ++state_.recoveries;
   std::vector<double> u(component_.rows.size());
@@ -168,11 +169,11 @@ Choice BoundedSolver::recover(const RelaxedDual& point) {
   if (method == RecoveryMethod::kDualGreedy) return descend(u, point.chosen_arcs());
   Choice best = recover_recursively(component_, point, options_.relaxation, deadline_);
   if (!options_.search.local_search && method != RecoveryMethod::kLocalSearch) return best;
-  for (const std::span<const ArcId> start :
-       {std::span<const ArcId>(best.arcs), point.chosen_arcs()}) {
-    Choice improved = descend(u, start);
+  const auto improve = [&](Choice improved) {
     if (improved.cost < best.cost) best = std::move(improved);
-  }
+  };
+  improve(descend(u, best.arcs));
+  if (component_.num_arcs() <= kManyArcs) improve(descend(u, point.chosen_arcs()));
   return best;
 }
 

@@ -51,8 +51,9 @@ class BoundedSolver {
   /// A choice that is known from elsewhere.
   void offer(const Choice& choice, const char* event);
 
-  /// First stage: coordinate ascent and a greedy choice; two dimensions exactly; Lagrangian
-  /// relaxation where that is all that is asked for, or where a linear program would be large.
+  /// First stage: multipliers and a choice, by coordinate ascent and greedily, or by Lagrangian
+  /// relaxation and recovery where that is all that is asked for, or where a linear program would
+  /// be large; two dimensions exactly.
   void start(const BoundedHint& hint = {});
 
   /// Second stage, if not complete: linear programs and branching until the gap is at most
@@ -62,11 +63,11 @@ class BoundedSolver {
   const BoundedState& state() const { return state_; }
 
  private:
-  void ascend(std::span<const double> start);
+  void approximate(const std::vector<double>& start);
+  void ascend(std::span<const double> start, int sweeps);
   void assign();
-  void relax();
+  void relax(bool is_last);
   void maximize(const LagrangianOptions& loop);
-  void recover_at(std::span<const double> u);
   Choice recover(const RelaxedDual& point);
   Choice descend(std::span<const double> u, std::span<const core::ArcId> preferred) const;
   void branch(double allowed_gap);

@@ -23,8 +23,8 @@
 #include "solve/uses.hpp"
 
 // Parts with bounds have two stages, like the components of the ordinary pipeline, which solves the
-// rest between the two: so a deadline finds everything with a solution and a bound.  The rest is
-// one more part to the monitor.
+// rest between the two, or before them where it is small: so a deadline finds everything with a
+// solution and a bound.  The rest is one more part to the monitor.
 
 namespace nda::pipeline {
 namespace {
@@ -55,8 +55,9 @@ class ManyToOne {
     if (!split_.infeasible.empty()) return infeasible(split_.infeasible);
     if (!split_.rest) return without_search();
     prepare();
+    if (is_rest_small()) solve_rest(rest_options());
     for_all_parts([&](BoundedPart& part) { part.start(warm_); });
-    solve_rest(rest_options());
+    if (!rest_ || !rest_->proven) solve_rest(rest_options());
     const double gap = allowed_gap();
     const double share = parts_.empty() ? 0 : gap / static_cast<double>(parts_.size());
     for_all_parts([&](BoundedPart& part) { part.finish(share); });
@@ -97,6 +98,13 @@ class ManyToOne {
     options.stop = deadline_.stop();
     options.progress = [this](const Progress& now) { return hear(now); };
     return options;
+  }
+
+  // It takes next to no time, and without it no bound is worth anything.
+  bool is_rest_small() const {
+    double arcs = 0;
+    for (const auto& part : parts_) arcs += static_cast<double>(part->component().num_arcs());
+    return static_cast<double>(split_.rest->num_arcs()) < kLeastShare * arcs;
   }
 
   // The whole gap is for the rest where nothing else is open; what it costs more, the parts make
