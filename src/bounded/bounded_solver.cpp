@@ -140,6 +140,8 @@ void BoundedSolver::relax(bool is_last) {
     if (is_closed() || deadline_.reached()) return;
   }
   maximize(loop);
+  // Where cells are used several times, multipliers of the flow prove less than its value.
+  if (!is_closed() && !deadline_.reached()) ascend(state_.u, is_last ? kSweeps : kFewSweeps);
 }
 
 void BoundedSolver::maximize(const LagrangianOptions& loop) {

@@ -18,7 +18,8 @@ class DualFunction : public RelaxedDual {
   explicit DualFunction(const BoundedComponent& component, int num_kept = 2);
 
   /// Those of the flow for kept dimensions.  They prove q(u), to the accuracy of the flow; less
-  /// where a cell has more arcs than both of its indices may use, but may use several.
+  /// where a cell has more arcs than both of its indices may use, but may use several: some sweeps
+  /// of SeparableDual::ascend() make up for that.
   void multipliers(std::span<double> all) const override;
 
  private:

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "nda/check.hpp"
+#include "nda/generate.hpp"
 #include "nda/k_best.hpp"
 #include "nda/solve.hpp"
 #include "support/build_kind.hpp"
@@ -306,6 +307,26 @@ TEST(ManyToOneRelaxation, ClosesAGapWithThreeKeptSets) {
   EXPECT_LT(two.lower_bound, two.cost - 0.1);
   EXPECT_GT(three.lower_bound, two.lower_bound + 0.1);
   EXPECT_TRUE(check(problem, three).passed());
+}
+
+// Two kept sets have the bound of the linear relaxation, cells that are used several times or not.
+TEST(ManyToOneRelaxation, ReachesTheLinearRelaxation) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    BoundedOptions family;
+    family.dimensions = 4;
+    family.size = 20;
+    family.arcs = 600;
+    family.seed = seed;
+    const Problem problem = generate_bounded(family).problem;
+    Options options;
+    options.branch.max_nodes = 0;
+    options.method = Method::kExact;
+    const double linear = solve(problem, options).stats.certificate_bound;
+    options.method = Method::kRelaxation;
+    const double relaxed = solve(problem, options).stats.certificate_bound;
+    EXPECT_GE(relaxed, linear - 1e-3 * std::abs(linear)) << seed;
+    EXPECT_LE(relaxed, linear + 1e-6 * std::abs(linear)) << seed;
+  }
 }
 
 // Wherever the deadline strikes, splitting included.
