@@ -91,11 +91,12 @@ void BoundedSolver::approximate(const std::vector<double>& start) {
   const bool relaxes =
       is_last || (options_.method == Method::kAuto && component_.num_arcs() > kManyArcs);
   ascend(start, relaxes ? kFewSweeps : kSweeps);
-  if (!relaxes || is_last) {
+  if (relaxes) {
+    if (!is_closed()) relax(is_last);
+  } else {
     ++state_.recoveries;
     offer(descend(state_.u, {}), "recovery");
   }
-  if (relaxes && !is_closed()) relax(is_last);
 }
 
 // All dimensions relaxed, from what the arcs of each index offer.
@@ -132,7 +133,8 @@ void BoundedSolver::relax(bool is_last) {
       is_last ? asked.max_evaluations : std::min(asked.max_evaluations, kEvaluationsBeforeLp);
   loop.recovery_interval = is_last ? asked.recovery_interval : 0;
   loop.margin = margin_;
-  if (!is_last) loop.deadline = deadline_.earlier(deadline_.remaining_s() / 2);
+  const double left_s = deadline_.remaining_s();
+  if (!is_last && left_s < kInfinity) loop.deadline = deadline_.earlier(left_s / 2);
   if (asked.kept_sets > 2 && asked.two_first) {
     LagrangianOptions two = loop;
     two.num_kept = 2;

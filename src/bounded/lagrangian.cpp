@@ -50,7 +50,8 @@ class Loop {
     if (kept_ != nullptr) result_.nodes = kept_->answer().nodes;
     learn(kept_ != nullptr ? function_->bound() : iterate.value);
     if (iterate.value >= iterate.best_value) is_recovered_at_best_ = false;
-    if (options_.recovery_interval > 0 && result_.evaluations % options_.recovery_interval == 0) {
+    const std::int64_t since_first = result_.evaluations - 1;
+    if (options_.recovery_interval > 0 && since_first % options_.recovery_interval == 0) {
       recover();
       if (iterate.value >= iterate.best_value) is_recovered_at_best_ = true;
     }

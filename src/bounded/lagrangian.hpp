@@ -21,9 +21,10 @@ struct LagrangianOptions {
   KeptSolver solve;   ///< for m >= 3
   int max_evaluations = 100;
   double relative_tolerance = 1e-7;
-  int recovery_interval = 1;  ///< recover at every so many evaluations, 0: at none; and at the best
-  bool certify = true;        ///< see LagrangianResult::lower
-  double margin = 0;          ///< stop once the bound is as near to the best choice
+  /// Recover at evaluations 1, 1 + interval, ... (interval 0: at none), and at the best point.
+  int recovery_interval = 1;
+  bool certify = true;  ///< see LagrangianResult::lower
+  double margin = 0;    ///< stop once the bound is as near to the best choice
   core::Deadline deadline;
 };
 
