@@ -10,13 +10,21 @@ namespace {
 
 using core::ArcId;
 
+// Room for more is made when they come: the budget may pay for next to none of many.
+constexpr std::size_t kFirstArcs = 256;
+
 // Rows first, then the arcs that the budget pays for.
 class Builder {
  public:
   Builder(const core::Component& component, double budget)
       : component_(component),
         budget_(budget),
-        slack_{SlackProblem(static_cast<std::uint32_t>(component.num_slots())), {}} {}
+        slack_{SlackProblem(static_cast<std::uint32_t>(component.num_slots())), {}} {
+    const std::size_t arcs = std::min(component.num_arcs(), kFirstArcs);
+    slack_.problem.reserve(component.num_slots(), arcs, arcs * component.sizes.size());
+    slack_.arcs.reserve(arcs);
+    uses_.reserve(component.sizes.size());
+  }
 
   void add_row(double price) { slack_.problem.add_row(price); }
 

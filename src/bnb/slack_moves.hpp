@@ -75,6 +75,8 @@ class SlackMoves {
 
   /// All arcs and rows.
   void open(SlackNode& root) const {
+    root.arcs.reserve(problem_.num_arcs());
+    root.rows.reserve(problem_.num_rows());
     for (std::uint32_t a = 0; a < problem_.num_arcs(); ++a)
       root.arcs.push_back({a, problem_.reduced(a)});
     for (std::uint32_t row = 0; row < problem_.num_rows(); ++row) {
@@ -390,6 +392,7 @@ class SlackMoves {
       return;
     }
     to.clear();
+    to.reserve(from.size());
     std::copy_if(from.begin(), from.end(), std::back_inserter(to), keep);
   }
 

@@ -13,10 +13,12 @@ void Parts::copy(std::size_t part,
                  std::vector<OpenArc>& part_arcs,
                  std::vector<OpenRow>& part_rows) const {
   part_arcs.clear();
+  part_arcs.reserve(arcs.size());
   for (std::size_t i = 0; i < arcs.size(); ++i) {
     if (arc_part_[i] == part) part_arcs.push_back(arcs[i]);
   }
   part_rows.clear();
+  part_rows.reserve(rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (row_part_[i] == part) part_rows.push_back(rows[i]);
   }

@@ -112,6 +112,15 @@ class SlackSearch {
 
 }  // namespace
 
+void SlackProblem::reserve(std::size_t rows, std::size_t arcs, std::size_t uses) {
+  price_.reserve(rows);
+  capacity_.reserve(rows);
+  reduced_.reserve(arcs);
+  start_.reserve(arcs + 1);
+  num_index_uses_.reserve(arcs);
+  uses_.reserve(uses);
+}
+
 std::uint32_t SlackProblem::add_row(double price, std::uint32_t capacity) {
   price_.push_back(price);
   capacity_.push_back(capacity);

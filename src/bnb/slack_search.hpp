@@ -28,6 +28,8 @@ class SlackProblem {
   /// @param num_indices  the rows of that many numbers are indices: no two arcs share one.
   explicit SlackProblem(std::uint32_t num_indices) : num_indices_(num_indices) {}
 
+  /// Makes room for so many rows, arcs, and uses of all arcs.
+  void reserve(std::size_t rows, std::size_t arcs, std::size_t uses);
   /// Indices first.  price >= 0, +inf = must be used up.  Returns its number.
   std::uint32_t add_row(double price, std::uint32_t capacity = 1);
   /// reduced >= 0; uses of indices before those of cuts.  Returns its number.

@@ -15,8 +15,8 @@ using core::ArcId;
 namespace {
 
 constexpr double kIntegral = 1e-6;
-constexpr std::size_t kCandidates = 8;
-constexpr int kTrialIterations = 60;
+constexpr std::size_t kCandidates = 4;
+constexpr int kTrialIterations = 30;
 
 }  // namespace
 

@@ -4,7 +4,10 @@
 
 #include "bnb/component_slack.hpp"
 #include "bnb/cover.hpp"
-#include "bnb/enumerate.hpp"
+#include "bnb/slack_search.hpp"
+#include "recovery/greedy.hpp"
+#include "relax/ascent.hpp"
+#include "relax/relaxed_dual.hpp"
 #include "solve/component_solver.hpp"
 
 // How a component may end before any linear program: by enumeration or covers by cliques where it
@@ -15,48 +18,61 @@ namespace {
 
 using core::ArcId;
 
+constexpr int kSweeps = 4;
 constexpr std::int64_t kEnumerationNodes = 200000;
-// Better multipliers, those of a linear program, end what takes longer sooner.
-constexpr std::int64_t kNodesBeforeRelaxation = 20;
+// Better multipliers end what takes longer sooner.
+constexpr double kEnumerationWork = 1e4;
 // As long as a linear program would take.
-constexpr std::size_t kCliqueArcsPerExactArc = 2;
 constexpr double kEarlyCliqueWork = 1e5;
-// Where covers by cliques were needed, multipliers will not close the gap.
-constexpr int kEvaluationsAfterCliques = 3;
-constexpr int kFeasibleSweeps = 3;
+// As many times more arcs than those that are enumerated first are covered by cliques, in the end.
+constexpr std::size_t kCliqueArcsPerExactArc = 2;
+// Where the search was longer, there is a gap that no multipliers close.
+constexpr std::int64_t kFewNodes = 20;
 // A packing that costs so little beyond the multipliers, as a share of the dearest arc, is looked
 // for; then for one that costs so many times as much, as long as there is hardly any choice.
 constexpr double kFirstFree = 0x1p-22;
 constexpr double kWidenFree = 64;
 constexpr double kFreeWork = 1e5;
+// Of the gap.
+constexpr double kFirstShare = 0.5;
 // Of a search within the whole gap; where more arcs than this are left it would not end.
 constexpr double kGapWork = 3e4;
 constexpr std::size_t kGapArcsPerIndex = 4;
+// Ascent and the greedy packing of more would take longer.
+constexpr std::size_t kMostNearArcs = 10000;
 constexpr double kFreeWorkPerIndex = 50;
 
 }  // namespace
 
+// A few sweeps of coordinate ascent leave little between the multipliers and the packing that they
+// guide to.
 void ComponentSolver::enumerate() {
   state_.method = "enumeration";
-  std::vector<double> u = state_.u;
-  for (int sweep = 1; sweep < kFeasibleSweeps; ++sweep) {
-    if (relax::make_feasible(component_, u, deadline_) == -kInfinity) return;
-  }
-  const std::int64_t patience =
-      options_.method == Method::kExact ? kEnumerationNodes : kNodesBeforeRelaxation;
-  const std::int64_t max_nodes = std::min(patience, options_.branch.max_nodes);
-  const bnb::SearchResult result =
-      bnb::enumerate(component_, u, precision_.margin, max_nodes, deadline_);
-  state_.nodes += result.nodes;
-  if (result.found) offer(result.best, "enumeration");
-  if (!result.complete) return;
-  enumerated_ = true;
-  settle_best(u, options_.branch.node_evaluations, "enumeration");
+  if (component_.num_arcs() <= kMostNearArcs) ascend();
+  offer(recovery::dual_greedy(component_, state_.u, deadline_), "greedy");
+  if (state_.complete) return;
+  bnb::SlackLimits limits;
+  if (options_.method == Method::kExact)
+    limits.max_nodes = kEnumerationNodes;
+  else
+    limits.max_work = kEnumerationWork;
+  search_gap(limits, "enumeration");
+  if (state_.complete && state_.nodes <= kFewNodes) settle_best();
+  if (!state_.complete) search_cliques();
+}
+
+void ComponentSolver::ascend() {
+  relax::Ascent ascent(component_, core::all_arcs(component_), state_.u);
+  for (int sweep = 0; sweep < kSweeps && !deadline_.reached(); ++sweep) ascent.sweep();
+  std::vector<double> u = ascent.u();
+  const double certificate = relax::make_feasible(component_, u, deadline_);
+  accept_multipliers(std::move(u), certificate, "enumeration");
 }
 
 // Covers by cliques end some small components that multipliers do not.
 void ComponentSolver::search_cliques() {
   if (component_.num_arcs() > kCliqueArcsPerExactArc * options_.branch.exact_arcs) return;
+  if (state_.nodes >= options_.branch.max_nodes || std::exchange(tried_cliques_, true)) return;
   state_.method = "clique search";
   bnb::CliqueLimits limits;
   limits.max_nodes = options_.branch.max_nodes - state_.nodes;
@@ -69,19 +85,16 @@ void ComponentSolver::search_cliques() {
   if (result.found) offer(result.best, "clique search");
   if (!result.complete) return;
   searched_cliques_ = true;
-  settle_best(state_.u, kEvaluationsAfterCliques, "clique search");
+  raise_bound(cutoff(), "clique search");
 }
 
 // There is nothing better than the best.  The multipliers should prove as much of that as they can
 // by themselves.
-void ComponentSolver::settle_best(std::span<const double> u,
-                                  int max_evaluations,
-                                  const char* event) {
+void ComponentSolver::settle_best() {
   relax::LagrangianOptions loop = loop_options(component_);
-  loop.max_evaluations = std::min(max_evaluations, options_.branch.node_evaluations);
+  loop.max_evaluations = options_.branch.node_evaluations;
   loop.goal = state_.best.cost - precision_.error;
-  accept_dual(relax::maximize_dual(component_, u, loop, {}), event);
-  raise_bound(state_.best.cost - precision_.error, event);
+  accept_dual(relax::maximize_dual(component_, state_.u, loop, {}), "enumeration");
 }
 
 // Where there is no gap and the multipliers are optimal, all that is in an optimal packing costs
@@ -113,26 +126,48 @@ void ComponentSolver::search_nearly_free() {
   }
 }
 
-// Good multipliers and a good packing leave little between them: all of it is searched.
-void ComponentSolver::search_gap() {
+// What a warm start knows often leaves next to nothing to search.
+void ComponentSolver::search_near_hint() {
   if (component_.num_arcs() > kGapArcsPerIndex * component_.num_indices()) return;
   state_.method = "slack search";
-  const double budget = cutoff() - state_.certificate;
-  const bnb::ComponentSlack slack = bnb::slack_of(component_, state_.u, budget, deadline_);
   bnb::SlackLimits limits;
-  limits.deadline = deadline_;
   limits.max_work = kGapWork;
-  limits.max_nodes = options_.branch.max_nodes - state_.nodes;
-  if (deadline_.reached()) return;
-  const bnb::SlackResult found = bnb::search_slack(slack.problem, budget, limits);
-  state_.nodes += found.nodes;
-  if (!found.arcs.empty()) {
-    std::vector<ArcId> arcs = core::at_positions(slack.arcs, found.arcs);
-    offer(core::make_packing(component_, std::move(arcs)), "slack search");
+  search_gap(limits, "slack search");
+}
+
+// The multipliers of the relaxation guide to a packing that often leaves little to search, which
+// then takes less time than the linear program.
+void ComponentSolver::search_near_multipliers() {
+  if (component_.num_arcs() > kMostNearArcs) return;
+  state_.method = "slack search";
+  offer(recovery::dual_greedy(component_, state_.u, deadline_), "greedy");
+  if (close_enough()) return;
+  bnb::SlackLimits limits;
+  limits.max_work = kGapWork;
+  search_gap(limits, "slack search");
+}
+
+// Good multipliers and a good packing leave little between them: all of it is searched.  The best
+// packing is often nearer to the multipliers, and the search to the first that is found.
+void ComponentSolver::search_gap(bnb::SlackLimits limits, const char* event) {
+  const double gap = cutoff() - state_.certificate;
+  limits.deadline = deadline_;
+  for (const double budget : {kFirstShare * gap, gap}) {
+    const bnb::ComponentSlack slack = bnb::slack_of(component_, state_.u, budget, deadline_);
+    if (deadline_.reached()) return;
+    limits.max_nodes = std::min(limits.max_nodes, options_.branch.max_nodes - state_.nodes);
+    const bnb::SlackResult found = bnb::search_slack(slack.problem, budget, limits);
+    state_.nodes += found.nodes;
+    limits.max_work -= found.work;
+    if (!found.arcs.empty()) {
+      std::vector<ArcId> arcs = core::at_positions(slack.arcs, found.arcs);
+      offer(core::make_packing(component_, std::move(arcs)), event);
+    }
+    if (!found.complete) return;
+    if (found.slack < kInfinity) break;
   }
-  if (!found.complete) return;
   enumerated_ = true;
-  raise_bound(cutoff(), "slack search");
+  raise_bound(cutoff(), event);
 }
 
 }  // namespace nda::pipeline

@@ -151,14 +151,12 @@ void ComponentSolver::start() {
   if (small && options_.branch.max_nodes > 0) enumerate();
   if (state_.complete) return;
   if (is_hot_) {
-    search_gap();
+    search_near_hint();
   } else {
     offer(recovery::greedy_in_core(
               component_, state_.u, recovery::CoreSearchOptions{}.arcs_per_index, deadline_),
           "greedy");
   }
-  if (state_.complete) return;
-  if (options_.branch.max_nodes > 0) search_cliques();
   if (state_.complete) return;
   relax();
   if (is_large()) search(first_work());
@@ -191,8 +189,10 @@ void ComponentSolver::close_gap() {
   if (options_.method == Method::kExact && is_wide()) search(wide_work());
   if (options_.method != Method::kExact) {
     search_nearly_free();
-    if (!close_enough()) branch_and_cut();
+    if (!close_enough()) search_near_multipliers();
   }
+  if (!close_enough()) search_cliques();
+  if (options_.method != Method::kExact && !close_enough()) branch_and_cut();
   if (!close_enough()) branch();
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "bnb/slack_search.hpp"
 #include "core/clock.hpp"
 #include "core/component.hpp"
 #include "core/shift.hpp"
@@ -93,10 +94,13 @@ class ComponentSolver {
   relax::LagrangianOptions loop_options(const core::Component& component) const;
   void solve_assignment();
   void enumerate();
+  void ascend();
   void search_nearly_free();
-  void search_gap();
+  void search_near_hint();
+  void search_near_multipliers();
+  void search_gap(bnb::SlackLimits limits, const char* event);
   void search_cliques();
-  void settle_best(std::span<const double> u, int max_evaluations, const char* event);
+  void settle_best();
   void relax();
   bool may_search() const;
   double first_work() const;
@@ -150,6 +154,7 @@ class ComponentSolver {
   cutting::ProofLog* const proof_;
   const bool is_hot_;
   bool enumerated_ = false;
+  bool tried_cliques_ = false;
   bool searched_cliques_ = false;  // to the end
   bool searched_ = false;
   double searched_free_at_ = -kInfinity;  // the certificate then

@@ -67,7 +67,7 @@ TEST(Proof, ShowsTheOptimumOfRandomProblems) {
 
 TEST(Proof, ShowsWhatCutsAndBranchingProve) {
   int num_trees = 0;
-  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+  for (std::uint64_t seed = 0; seed < 500; ++seed) {
     SCOPED_TRACE(seed);
     const Problem problem = gapped_problem(seed);
     const Solution solution = solve(problem, branching());

@@ -173,7 +173,7 @@ TEST(Reports, CountTheWork) {
   EXPECT_GT(solution.stats.solve_seconds, 0);
   EXPECT_GT(solution.stats.peak_memory_bytes, 1000000u);
   EXPECT_TRUE(solution.stats.bound_by_branching);
-  EXPECT_EQ(solution.components.at(0).method, "branch and cut");
+  EXPECT_EQ(solution.components.at(0).method, "slack search");
 }
 
 TEST(Solve, RefusesAProblemThatWasMovedFrom) {
