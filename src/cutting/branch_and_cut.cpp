@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 // The tree: bound a node by the linear relaxation and cuts, end it by a search within the slack
 // where that is short, else branch on a pair of rows, and dive into the child of smaller bound.
@@ -55,16 +57,19 @@ double BranchAndCut::explore(int depth, double inherited) {
   const CutLoopEnd end = tighten(depth);
   const double lower =
       end == CutLoopEnd::kStopped ? inherited : std::max(inherited, master_.lower());
-  if (end == CutLoopEnd::kSearched) return std::max(lower, cutoff_);
-  if (lower >= cutoff_ || end == CutLoopEnd::kStopped || stopped()) return close(lower);
+  if (end == CutLoopEnd::kSearched) return finish(depth, std::max(lower, cutoff_));
+  if (lower >= cutoff_ || end == CutLoopEnd::kStopped || stopped()) return close(depth, lower);
   if (integral()) {
     const core::Packing found = packing();
     cutoff_ = offer_(master_, &found);
-    return close(lower);
+    if (limits_.ranks == nullptr) return close(depth, lower);
   }
   if (limits_.pause) cutoff_ = limits_.pause(num_nodes(), work());
-  if (lower >= cutoff_) return close(lower);
-  const PairBranching::Choice choice = branching_.choose(branching_.fractional_pairs(), cutoff_);
+  if (lower >= cutoff_) return close(depth, lower);
+  std::vector<PairBranching::Pair> pairs = branching_.fractional_pairs();
+  if (pairs.empty() && limits_.ranks != nullptr) pairs = branching_.open_pairs();
+  if (pairs.empty()) return close_single(depth, lower);
+  const PairBranching::Choice choice = branching_.choose(std::move(pairs), cutoff_);
   const bool together_first = choice.together <= choice.apart;
   if (limits_.proof != nullptr)
     limits_.proof->branch(choice.pair.first, choice.pair.second, together_first);
@@ -120,6 +125,7 @@ LeafLimits BranchAndCut::leaf_limits() const {
   limits.max_nodes = limits_.max_nodes - num_nodes();
   limits.deadline = limits_.deadline;
   limits.proof = limits_.proof;
+  limits.ranks = limits_.ranks;
   return limits;
 }
 
@@ -135,8 +141,24 @@ double BranchAndCut::leave(double lower) {
 }
 
 // A leaf.
-double BranchAndCut::close(double lower) {
+double BranchAndCut::close(int depth, double lower) {
   if (limits_.proof != nullptr) limits_.proof->bound(master_);
+  return finish(depth, lower);
+}
+
+// Where more than the best counts: all arcs that are left go together.
+double BranchAndCut::close_single(int depth, double lower) {
+  if (limits_.ranks == nullptr) return close(depth, lower);
+  std::vector<ArcId> arcs;
+  std::ranges::copy_if(
+      master_.live(), std::back_inserter(arcs), [&](ArcId a) { return !master_.forbidden(a); });
+  const core::Packing only = core::make_packing(component_, std::move(arcs));
+  cutoff_ = offer_(master_, &only);
+  return finish(depth, std::max(lower, cutoff_));
+}
+
+double BranchAndCut::finish(int depth, double lower) {
+  progress_ += std::ldexp(1.0, -depth);
   return lower;
 }
 

@@ -43,6 +43,9 @@ struct BranchAndCutLimits {
   double margin = 0;
   core::Deadline deadline;
   ProofLog* proof = nullptr;  ///< where to write down the tree; whole if the search is exhaustive
+  /// Where more packings count than the best: all below the cutoff are offered, and others.  Null =
+  /// that alone; else without a proof.
+  const LeafRanks* ranks = nullptr;
   /// Called before every branching with the nodes and the work so far, a chance to look for better
   /// packings elsewhere; returns the cutoff from now on.  May be empty.
   std::function<double(std::int64_t nodes, double work)> pause;
@@ -79,11 +82,16 @@ class BranchAndCut {
                          std::size_t steps = 0,
                          double handover_work = kInfinity);
 
+  /// How much of the tree below the root is done, if subtrees of one depth are of one size: 0 .. 1.
+  double progress() const { return progress_; }
+
  private:
   double explore(int depth, double inherited);
   CutLoopEnd tighten(int depth);
   LeafLimits leaf_limits() const;
-  double close(double lower);
+  double close(int depth, double lower);
+  double close_single(int depth, double lower);
+  double finish(int depth, double lower);
   bool integral() const;
   core::Packing packing() const;
   bool stopped() const { return num_nodes() >= limits_.max_nodes || limits_.deadline.reached(); }
@@ -105,6 +113,7 @@ class BranchAndCut {
   std::int64_t search_nodes_ = 0;
   double search_work_ = 0;  // of separation, too
   LeafPauses pauses_;
+  double progress_ = 0;
   bool exhaustive_ = true;
 };
 

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "bnb/cover.hpp"
-#include "bnb/slack_search.hpp"
 #include "cutting/master_slack.hpp"
 
 namespace nda::cutting {
@@ -75,19 +74,27 @@ bool LeafSearch::search_slack(const Master& master, double& cutoff) {
     limits.max_nodes = limits_.max_nodes - nodes_;
     const std::vector<ArcId> arcs = slack.affordable(budget);
     if (few < 1 && arcs.size() > component_.num_indices()) return false;
-    const bnb::SlackResult result = bnb::search_slack(slack.problem(arcs), budget, limits);
-    nodes_ += result.nodes;
-    work += result.work;
-    work_ += result.work;
-    if (result.slack < kInfinity) {
-      std::vector<ArcId> found = core::at_positions(arcs, result.arcs);
-      lower(master, core::make_packing(component_, std::move(found)), cutoff);
-    }
-    if (!result.complete) return false;
-    if (!(result.slack < budget) && budget < gap) continue;
+    const LeafFinds found = list(slack.problem(arcs), budget, limits);
+    nodes_ += found.nodes;
+    work += found.work;
+    work_ += found.work;
+    for (const std::vector<std::uint32_t>& packing : found.packings)
+      lower(master, core::make_packing(component_, core::at_positions(arcs, packing)), cutoff);
+    if (!found.complete) return false;
+    if (budget < std::min(gap, cutoff - slack.base())) continue;
     if (limits_.proof != nullptr) limits_.proof->search(master, slack.u(), cutoff);
     return true;
   }
+}
+
+LeafFinds LeafSearch::list(const bnb::SlackProblem& problem,
+                           double budget,
+                           const bnb::SlackLimits& limits) {
+  if (limits_.ranks != nullptr) return limits_.ranks->list(problem, budget, limits);
+  bnb::SlackResult best = bnb::search_slack(problem, budget, limits);
+  LeafFinds found{{}, best.complete, best.nodes, best.work};
+  if (best.slack < kInfinity) found.packings.push_back(std::move(best.arcs));
+  return found;
 }
 
 // Offers a packing, if it is cheaper than the cutoff.
@@ -97,6 +104,7 @@ void LeafSearch::lower(const Master& master, const core::Packing& packing, doubl
 
 bool LeafSearch::cover(const Master& master, double& cutoff) {
   if (master.live().size() > bnb::kMostCliqueArcs) return false;
+  if (limits_.ranks != nullptr && !limits_.ranks->may_cover) return false;
   if (clique_pause_ == nullptr) return search_cliques(master, cutoff);
   if (clique_pause_->skip()) return false;
   const bool ended = search_cliques(master, cutoff);
@@ -105,18 +113,48 @@ bool LeafSearch::cover(const Master& master, double& cutoff) {
 }
 
 bool LeafSearch::search_cliques(const Master& master, double& cutoff) {
+  if (limits_.ranks != nullptr) return rank_cliques(master, cutoff);
   const std::vector<double> u = demands(component_, master);
-  bnb::CliqueLimits limits;
-  limits.deadline = limits_.deadline;
-  limits.max_work = credit_;
-  limits.max_nodes = limits_.max_nodes - nodes_;
-  const bnb::SearchResult result = bnb::cover(component_, allowed(master), u, cutoff, limits);
+  const bnb::SearchResult result =
+      bnb::cover(component_, allowed(master), u, cutoff, clique_limits());
   nodes_ += result.nodes;
   work_ += result.work;
   if (result.found) lower(master, result.best, cutoff);
   if (!result.complete || result.lower < cutoff) return false;
   if (limits_.proof != nullptr) limits_.proof->cliques(u, cutoff);
   return true;
+}
+
+// Every arc counts here.  What leaves a slot alone that must be covered would be listed in the
+// place of others, if covering it did not pay for more than the least cost is below the cutoff.
+bool LeafSearch::rank_cliques(const Master& master, double& cutoff) {
+  const double demand = 2 * (cutoff - limits_.ranks->least);
+  const auto demand_of = [&](std::uint32_t slot) { return master.forced(slot) ? demand : 0.0; };
+  double target = -cutoff;
+  for (std::uint32_t slot = 0; slot < component_.num_slots(); ++slot) target += demand_of(slot);
+  const std::vector<ArcId> arcs = allowed(master);
+  bnb::CliqueProblem problem;
+  std::vector<std::uint32_t> slots;
+  for (const ArcId a : arcs) {
+    slots.clear();
+    double gain = -component_.costs[a];
+    core::for_each_slot(component_, a, [&](std::uint32_t slot) {
+      slots.push_back(slot);
+      gain += demand_of(slot);
+    });
+    problem.add_arc(gain, slots);
+  }
+  const bnb::CliqueRanking found =
+      bnb::rank_cliques(problem, limits_.ranks->k, target, 0, clique_limits());
+  nodes_ += found.nodes;
+  work_ += found.work;
+  for (const bnb::CliquePacking& packing : found.packings)
+    lower(master, core::make_packing(component_, core::at_positions(arcs, packing.arcs)), cutoff);
+  return found.complete;
+}
+
+bnb::CliqueLimits LeafSearch::clique_limits() const {
+  return {limits_.max_nodes - nodes_, credit_, limits_.deadline};
 }
 
 }  // namespace nda::cutting

@@ -4,6 +4,8 @@
 #include <functional>
 #include <vector>
 
+#include "bnb/clique_search.hpp"
+#include "bnb/slack_search.hpp"
 #include "core/clock.hpp"
 #include "core/component.hpp"
 #include "core/pause.hpp"
@@ -24,11 +26,29 @@ inline double work_of_pivots(std::int64_t pivots, std::size_t num_rows) {
   return static_cast<double>(pivots) * (2000 + 2 * static_cast<double>(num_rows));
 }
 
+/// Packings of a slack problem that a search listed.
+struct LeafFinds {
+  std::vector<std::vector<std::uint32_t>> packings;
+  bool complete = false;  ///< these are the best below the budget, as many as count, or all of them
+  std::int64_t nodes = 0;
+  double work = 0;
+};
+
+/// Where more packings count than the best.
+struct LeafRanks {
+  std::size_t k = 1;       ///< so many
+  bool may_cover = false;  ///< by cliques
+  double least = 0;        ///< no packing is cheaper, not even where it leaves forced slots alone
+  /// The k of least slack below a budget.
+  std::function<LeafFinds(const bnb::SlackProblem&, double budget, const bnb::SlackLimits&)> list;
+};
+
 struct LeafLimits {
   double max_work = 1e6;       ///< of searches (bnb::SlackLimits) for every call; 0 = none
   std::int64_t max_nodes = 0;  ///< of all searches
   core::Deadline deadline;
-  ProofLog* proof = nullptr;  ///< where to write searches down
+  ProofLog* proof = nullptr;         ///< where to write searches down
+  const LeafRanks* ranks = nullptr;  ///< null = the best packing alone counts
 };
 
 /// Ends a node of branch and cut by enumeration, in one of two ways.  Once its multipliers are good
@@ -55,8 +75,9 @@ class LeafSearch {
         clique_pause_(clique_pause) {}
 
   /// Searches the allowed arcs of a solved `master` for packings cheaper than `cutoff`, offers the
-  /// best one, and lowers the cutoff accordingly.  Returns whether there is none below the cutoff
-  /// any more; false also where the search took too long.
+  /// best one, or the best LeafRanks::k, and lowers the cutoff accordingly.  Returns whether there
+  /// is none below the cutoff any more that was not offered; false also where the search took too
+  /// long.
   bool operator()(const Master& master, double& cutoff);
 
   /// The same by cliques alone, whenever it is called.
@@ -71,7 +92,10 @@ class LeafSearch {
  private:
   bool is_worth_trying(const Master& master, double cutoff) const;
   bool search_slack(const Master& master, double& cutoff);
+  LeafFinds list(const bnb::SlackProblem& problem, double budget, const bnb::SlackLimits& limits);
   bool search_cliques(const Master& master, double& cutoff);
+  bool rank_cliques(const Master& master, double& cutoff);
+  bnb::CliqueLimits clique_limits() const;
   void lower(const Master& master, const core::Packing& packing, double& cutoff) const;
 
   const core::Component& component_;

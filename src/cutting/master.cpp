@@ -213,12 +213,16 @@ void Master::rebuild_index() {
 
 void Master::drop_idle(int most_idle) {
   std::vector<int> rows;
+  std::vector<CutRow> kept;
   for (std::size_t c = 0; c < cuts_.size(); ++c) {
-    if (cuts_[c].idle > most_idle) rows.push_back(static_cast<int>(u_.size() + c));
+    const int row = static_cast<int>(u_.size() + c);
+    if (cuts_[c].idle > most_idle && program_.is_slack(row))
+      rows.push_back(row);
+    else
+      kept.push_back(std::move(cuts_[c]));
   }
-  if (rows.empty()) return;
+  cuts_ = std::move(kept);
   program_.remove_rows(rows);
-  std::erase_if(cuts_, [&](const CutRow& row) { return row.idle > most_idle; });
 }
 
 bool Master::fix(double cutoff) {

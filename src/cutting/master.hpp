@@ -54,7 +54,8 @@ class Master {
   std::span<const double> values() const { return program_.primal().subspan(u_.size()); }
 
   void add(const Cut& cut);
-  /// Removes cuts whose multiplier was 0 in the last `most_idle` solves.
+  /// Removes cuts whose multiplier was 0 in the last `most_idle` solves, but for those that hold
+  /// without slack all the same.
   void drop_idle(int most_idle);
   /// Drops live arcs whose reduced cost shows that no packing below `cutoff` uses them; returns
   /// whether there were any.

@@ -46,6 +46,35 @@ std::vector<PairBranching::Pair> PairBranching::fractional_pairs() const {
   return merged;
 }
 
+std::vector<PairBranching::Pair> PairBranching::open_pairs() const {
+  std::vector<Pair> pairs;
+  for (std::size_t k = 0; k < master_.arcs().size(); ++k) {
+    if (master_.values()[k] > 0.5) add_open_pairs(master_.arcs()[k], 1, pairs);
+  }
+  for (const ArcId a : master_.live()) {
+    if (!pairs.empty()) break;
+    if (!master_.forbidden(a)) add_open_pairs(a, 0, pairs);
+  }
+  return pairs;
+}
+
+void PairBranching::add_open_pairs(ArcId a, double weight, std::vector<Pair>& pairs) const {
+  std::vector<std::uint32_t> slots;
+  core::for_each_slot(component_, a, [&](std::uint32_t slot) {
+    for (const std::uint32_t other : slots) {
+      if (is_open({other, slot, weight})) pairs.push_back({other, slot, weight});
+    }
+    slots.push_back(slot);
+  });
+}
+
+// Some packing left may lack an arc that uses both.
+bool PairBranching::is_open(const Pair& pair) const {
+  const std::vector<ArcId> one = arcs_of_one(pair);
+  return !master_.forced(pair.first) ||
+         std::ranges::any_of(one, [&](ArcId a) { return !master_.forbidden(a); });
+}
+
 PairBranching::Choice PairBranching::choose(std::vector<Pair> pairs, double cutoff) {
   std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
     return std::abs(a.weight - 0.5) < std::abs(b.weight - 0.5);

@@ -38,6 +38,9 @@ class PairBranching {
 
   /// The pairs that the last point of the master uses together, but neither always nor never.
   std::vector<Pair> fractional_pairs() const;
+  /// The pairs of slots that not all packings left use alike, those that the last point uses
+  /// together where it has any.
+  std::vector<Pair> open_pairs() const;
   /// The pair whose children promise most.  @param pairs  not empty.
   Choice choose(std::vector<Pair> pairs, double cutoff);
 
@@ -65,6 +68,8 @@ class PairBranching {
 
  private:
   bool uses(core::ArcId a, std::uint32_t slot) const;
+  bool is_open(const Pair& pair) const;
+  void add_open_pairs(core::ArcId a, double weight, std::vector<Pair>& pairs) const;
   std::vector<core::ArcId> arcs_of_one(const Pair& pair) const;
   std::vector<core::ArcId> arcs_of_both(const Pair& pair) const;
 

@@ -9,14 +9,17 @@
 
 #include "kbest/clique_ranking.hpp"
 #include "kbest/nearby_packings.hpp"
+#include "kbest/refunds.hpp"
 #include "kbest/slack_ranking.hpp"
 #include "kbest/tighter_slack.hpp"
+#include "kbest/tree_ranking.hpp"
 #include "solve/component_solver.hpp"
 
-// One search within the slack ends most parts.  Where it does not, three ways have their turn with
+// One search within the slack ends most parts.  Where it does not, four ways have their turn with
 // patience that grows, since nobody can tell beforehand which is short: covers by cliques, which do
-// not mind a wide gap; a tighter slack, in steps of the reach; and, once that took long, a look at
-// neighbourhoods of the packings known, since less reach means much less to look for.
+// not mind a wide gap; a tighter slack, in steps of the reach; branch and cut, where cuts pay; and,
+// once that took long, a look at neighbourhoods of the packings known, since less reach means much
+// less to look for.
 //
 // Whatever is known and costs no more than anything that is not listed is among the best.  On a
 // grid of costs that saves whole searches: within the step below, all are listed; of those at the
@@ -40,7 +43,6 @@ constexpr double kTrialWorkPerRank = 1e5;
 constexpr double kShortTrialWork = 5e4;
 constexpr double kTrialWorkPerArc = 200;  // tightening takes as long
 constexpr double kMorePatience = 16;      // from one search that was stopped to the next
-constexpr double kCliqueShare = 1.0 / 4;  // of the patience
 constexpr int kMostRounds = 60;           // of cuts
 constexpr int kFirstRounds = 8;           // where covers by cliques may do without
 constexpr double kLooseReach = 1.25;      // times what is wanted: worth tightening anew
@@ -151,9 +153,10 @@ bool Part::rank(double reach,
                                          ? kTrialWork + kTrialWorkPerRank * static_cast<double>(k)
                                          : kShortTrialWork);
   if (take(run, rank_slacks(run, first_, reach, patience_.trial * trial), reach)) return true;
-  const bool may_cover = may_rank_cliques(first_.slack.problem);
+  const bool may_cover = patience_.cliques > 0 && may_rank_cliques(first_.slack.problem);
   NearbyPackings nearby(first_.slack.problem);
   int rounds = may_cover ? kFirstRounds : kMostRounds;
+  int turn = 0;
   double work = patience_.search + patience_.search_per_arc * num_arcs;
   while (!run.is_done() && !is_ranked(reach, k)) {
     if (run.is_stopped()) return false;
@@ -161,12 +164,16 @@ bool Part::rank(double reach,
     settle(run);
     if (is_ranked(reach, k)) break;
     const double most = most_within(run);
-    if (may_cover && take(run, rank_by_cliques(run, most, kCliqueShare * work), most)) continue;
+    if (may_cover && take(run, rank_by_cliques(run, most, patience_.cliques * work), most))
+      continue;
     const double within = next_within(run);
+    const bool may_branch = turn >= patience_.turns;
+    if (may_branch && take(run, rank_by_branching(run, within, work), within)) continue;
     tighten(within, rounds, limits.deadline);
     if (take(run, rank_slacks(run, form(within), within, work), within)) continue;
     if (work > limits.max_work) return false;
     work *= kMorePatience;
+    ++turn;
     rounds = kMostRounds;
   }
   return true;
@@ -228,25 +235,30 @@ double Part::settled() const {
 
 // Lists what is known and settled.
 void Part::settle(Run& run) {
-  std::set<std::vector<ArcId>> listed;
+  std::set<std::vector<ArcId>> is_listed;
   const auto ascending = [](std::vector<ArcId> arcs) {
     std::sort(arcs.begin(), arcs.end());
     return arcs;
   };
-  for (const Ranked& ranked : list_) listed.insert(ascending(run.combinations.arcs(ranked.arcs)));
+  for (const Ranked& ranked : list_)
+    is_listed.insert(ascending(run.combinations.arcs(ranked.arcs)));
   for (const core::Packing& packing : known_->packings()) {
-    const double rise = packing.cost - first_.least;
-    if (list_.size() >= run.k || rise > settled()) break;
-    std::vector<ArcId> arcs;
-    Combination combination = kNothing;
-    for (const ArcId a : packing.arcs) {
-      arcs.push_back(core::original_arc(component_, first_.slack.arcs[a]));
-      combination = run.combinations.join(combination, run.combinations.single(arcs.back()));
-    }
-    if (listed.insert(ascending(std::move(arcs))).second) list_.push_back({rise, combination});
+    if (list_.size() >= run.k || packing.cost - first_.least > settled()) break;
+    const Ranked next = listed(packing, run.combinations);
+    if (is_listed.insert(ascending(run.combinations.arcs(next.arcs))).second) list_.push_back(next);
   }
   std::ranges::stable_sort(list_, {}, &Ranked::slack);
   listed_k_ = std::max(listed_k_, run.k);
+}
+
+// What is known, as lists have it.
+Ranked Part::listed(const core::Packing& packing, Combinations& combinations) const {
+  Ranked ranked{packing.cost - first_.least, kNothing};
+  for (const ArcId a : packing.arcs) {
+    const ArcId name = core::original_arc(component_, first_.slack.arcs[a]);
+    ranked.arcs = combinations.join(ranked.arcs, combinations.single(name));
+  }
+  return ranked;
 }
 
 // As many as are known bound the last of the best, whatever else there is.  Beyond that lies
@@ -276,6 +288,12 @@ double Part::on_grid(double rise) const {
   return std::max(rise, grid_ * std::ceil((rise - tolerance) / grid_) - tolerance);
 }
 
+// What packings cost more than the best that have so much slack or more.
+double Part::reached_within(const Form& form, double budget) const {
+  const double rounding = budget < kInfinity ? kRounding * budget + 4 * form.error : 0;
+  return on_grid(budget - rounding - form.least);
+}
+
 // The largest reach up to `within` that takes in a point of the grid, or the next one; `most` if
 // that is less.
 double Part::useful(double within, double most) const {
@@ -299,6 +317,28 @@ Part::Found Part::rank_slacks(const Run& run,
                       margin(form.error));
   };
   return search(form, reach, run.k, rank);
+}
+
+// All that it finds is known from then on; the list is what is within reach.
+Part::Found Part::rank_by_branching(const Run& run, double reach, double max_work) {
+  const bnb::SlackProblem& slack = first_.slack.problem;
+  const double budget = beyond(first_.least + reach, first_.error);
+  const TreeRanking tree = rank_by_tree(component_,
+                                        slack,
+                                        budget,
+                                        margin(first_.error),
+                                        run.limits_of(max_work),
+                                        *known_,
+                                        patience_.leaf_work);
+  Found found{{}, 0, tree.complete, tree.nodes, tree.work};
+  if (!tree.complete) return found;
+  for (const core::Packing& packing : known_->packings()) {
+    if (packing.cost < budget) found.list.push_back(listed(packing, run.combinations));
+  }
+  double next = budget > greatest_slack(slack) ? kInfinity : budget;
+  if (found.list.size() == run.k) next = known_->packings().back().cost;
+  found.reached = reached_within(first_, next);
+  return found;
 }
 
 Part::Found Part::rank_by_cliques(const Run& run, double reach, double max_work) const {
@@ -332,9 +372,8 @@ Part::Found Part::search(const Form& form, double reach, std::size_t k, Rank&& r
   next = std::min(next, ranking.next);
   if (ranking.packings.size() == k) next = ranking.packings.back().slack;
   for (Ranked& ranked : ranking.packings) ranked.slack -= form.least;
-  const double rounding = next < kInfinity ? kRounding * next + 4 * form.error : 0;
   return {std::move(ranking.packings),
-          on_grid(next - rounding - form.least),
+          reached_within(form, next),
           ranking.complete,
           ranking.nodes,
           ranking.work};

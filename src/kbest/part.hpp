@@ -23,7 +23,10 @@ struct PartPatience {
   double trial = 1;     ///< times the usual for a search by the multipliers at hand
   double search = 4e6;  ///< for the first search that is no trial
   double search_per_arc = 1e3;
-  double nearby = 4e6;  ///< of searches after which looking nearby pays
+  double nearby = 4e6;     ///< of searches after which looking nearby pays
+  double cliques = 0.25;   ///< times that, for covers by cliques; 0 = none
+  int turns = 1;           ///< of all these, before branch and cut has one
+  double leaf_work = 1e6;  ///< of searches that may end its nodes
 };
 
 /// A part of a problem that shares no index with the rest, with the slack of its arcs and indices,
@@ -83,15 +86,18 @@ class Part {
   void know_all(const RankedList& list, const Combinations& combinations);
   double settled() const;
   void settle(Run& run);
+  Ranked listed(const core::Packing& packing, Combinations& combinations) const;
   double most_within(const Run& run) const;
   double next_within(const Run& run) const;
   Found rank_slacks(const Run& run, const Form& form, double reach, double max_work) const;
+  Found rank_by_branching(const Run& run, double reach, double max_work);
   Found rank_by_cliques(const Run& run, double reach, double max_work) const;
   template <typename Rank>
   Found search(const Form& form, double reach, std::size_t k, Rank&& rank) const;
 
   double margin(double error) const;
   double on_grid(double rise) const;
+  double reached_within(const Form& form, double budget) const;
   double useful(double within, double most) const;
 
   core::Component component_;

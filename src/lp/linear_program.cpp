@@ -164,6 +164,10 @@ void LinearProgram::remove_rows(std::span<const int> rows) {
   clp_->simplex.deleteRows(static_cast<int>(rows.size()), rows.data());
 }
 
+bool LinearProgram::is_slack(int row) const {
+  return row >= clp_->simplex.numberRows() || clp_->simplex.getRowStatus(row) == ClpSimplex::basic;
+}
+
 void LinearProgram::remove_columns(std::span<const int> columns) {
   if (columns.empty()) return;
   hand_over();

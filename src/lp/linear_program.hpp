@@ -46,9 +46,13 @@ class LinearProgram {
   void add_row(SparseView row, double right_side);
   /// Appends a column; rows must be there.  Collected and handed over at the next solve.
   void add_column(SparseView column, double cost, double upper);
-  /// Removes rows or columns; the later ones move up.
+  /// Removes rows or columns; the later ones move up.  Where a row was not slack, solve_primal()
+  /// must come next: too many columns are left in the basis, and CLP's dual method would end the
+  /// program.
   void remove_rows(std::span<const int> rows);
   void remove_columns(std::span<const int> columns);
+  /// Whether a row has its slack in the basis.
+  bool is_slack(int row) const;
   void set_upper(int column, double upper);
   /// 0 <= lower <= upper of a column that is there; 0 at first.
   void set_lower(int column, double lower);

@@ -126,7 +126,7 @@ TEST(Master, DropsCutsThatStayIdle) {
   const Component component = triangle();
   Master master(component, all_arcs(component), no_multipliers(component));
   master.add({{1, 3, 5}, {1, 1, 1}, 2});
-  master.add({{1, 3}, {1, 1}, 2});  // implied by its rows
+  master.add({{1, 3, 5}, {1, 1, 1}, 3});  // of no arc
   for (int solve = 0; solve < 3; ++solve) {
     ASSERT_EQ(master.solve(kInfinity, kNever), Outcome::kOptimal);
   }

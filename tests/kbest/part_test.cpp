@@ -30,8 +30,13 @@ Part whole(const Problem& problem, const SlackView& view, const PartPatience& pa
 
 // No trial; little patience with anything, so that every way has its turn; or as much as it takes
 // with the first.
-constexpr PartPatience kNoTrial = {-1, 1, 0, 0};
-constexpr PartPatience kNoTrialButPatience = {-1, 1e9, 0, 0};
+constexpr int kNever = 1000;
+constexpr PartPatience kNoTrial = {-1, 1, 0, 0, 0.25, kNever};
+constexpr PartPatience kNoTrialButPatience = {-1, 1e9, 0, 0, 0.25, kNever};
+// Branch and cut after others; alone; without searches that end nodes.
+constexpr PartPatience kTreeInTurn = {-1, 1, 0, 0};
+constexpr PartPatience kTree = {-1, 1e9, 0, 0, 0, 0};
+constexpr PartPatience kBareTree = {-1, 1e9, 0, 0, 0, 0, 0};
 
 struct Ranks {
   std::vector<double> rises;
@@ -91,7 +96,10 @@ TEST(Part, AgreesWithBruteForceWhateverItTries) {
     if (!solution.proven) continue;
     for (const std::size_t k : {std::size_t{3}, std::size_t{10}, all->size() + 1}) {
       const double reach = all->at(std::min(2 * k, all->size()) - 1) - all->front();
-      for (const PartPatience& patience : {PartPatience{}, kNoTrial, kNoTrialButPatience}) {
+      for (const PartPatience& patience :
+           {PartPatience{}, kNoTrial, kNoTrialButPatience, kTreeInTurn, kTree, kBareTree}) {
+        const bool is_tree = patience.trial < 0 && patience.turns < kNever;
+        if (is_tree && (seed % 30 != 0 || all->size() > 60)) continue;  // they take their time
         const Ranks ranks = rank(random.problem, solution, reach, k, patience);
         expect_ranked(*all, reach, k, 1e-9 + cost_tolerance(random.problem), ranks);
         ++ranked;
@@ -113,7 +121,7 @@ TEST(Part, FindsTheSameInEveryWay) {
     const Solution solution = solve(problem);
     ASSERT_TRUE(solution.proven);
     const std::vector<double> usual = rank(problem, solution, 30, 40, {}).rises;
-    for (const PartPatience& patience : {kNoTrial, kNoTrialButPatience}) {
+    for (const PartPatience& patience : {kNoTrial, kNoTrialButPatience, kTree}) {
       const std::vector<double> other = rank(problem, solution, 30, 40, patience).rises;
       ASSERT_EQ(other.size(), usual.size());
       for (std::size_t r = 0; r < usual.size(); ++r) EXPECT_NEAR(other[r], usual[r], 1e-6);
@@ -125,7 +133,7 @@ TEST(Part, StopsAtItsLimits) {
   const Problem problem = generate_map3({}).problem;
   const Solution solution = solve(problem);
   const SlackView view(problem, solution, {});
-  for (const PartPatience& patience : {PartPatience{}, kNoTrial, kNoTrialButPatience}) {
+  for (const PartPatience& patience : {PartPatience{}, kNoTrial, kNoTrialButPatience, kTree}) {
     Part part = whole(problem, view, patience);
     Combinations combinations;
     bnb::SlackLimits limits;

@@ -47,6 +47,12 @@ TEST(LinearProgram, GoesOnAfterARowIsAdded) {
   const std::array columns = {0, 1, 2};
   const std::array<double, 3> ones = {1, 1, 1};
   program.add_row({columns, ones}, 1.0);
+  program.add_row({columns, ones}, 2.0);
+  ASSERT_EQ(program.solve_dual(kNever, kInfinity, kUnlimited), Outcome::kOptimal);
+  EXPECT_NEAR(program.objective(), -1, 1e-9);
+  EXPECT_FALSE(program.is_slack(3));
+  EXPECT_TRUE(program.is_slack(4));
+  program.remove_rows(std::array{4});
   ASSERT_EQ(program.solve_dual(kNever, kInfinity, kUnlimited), Outcome::kOptimal);
   EXPECT_NEAR(program.objective(), -1, 1e-9);
   program.remove_rows(std::array{3});
