@@ -26,7 +26,7 @@ struct PartPatience {
   double nearby = 4e6;     ///< of searches after which looking nearby pays
   double cliques = 0.25;   ///< times that, for covers by cliques; 0 = none
   int turns = 1;           ///< of all these, before branch and cut has one
-  double leaf_work = 1e6;  ///< of searches that may end its nodes
+  double leaf_work = 4e6;  ///< of searches that may end its nodes
 };
 
 /// A part of a problem that shares no index with the rest, with the slack of its arcs and indices,

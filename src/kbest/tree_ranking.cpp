@@ -99,6 +99,9 @@ TreeRanking rank_by_tree(const core::Component& component,
   };
   cutting::BranchAndCutLimits tree_limits;
   tree_limits.max_nodes = limits.max_nodes;
+  // Searches end most nodes, whatever cuts would gain beyond those over three indices.
+  tree_limits.node_patterns = 0;
+  tree_limits.thorough = false;
   tree_limits.leaf_work = leaf_work;
   tree_limits.deadline = limits.deadline;
   tree_limits.ranks = &ranks;

@@ -34,6 +34,6 @@ TreeRanking rank_by_tree(const core::Component& component,
                          double margin,
                          const bnb::SlackLimits& limits,
                          PackingBuffer& known,
-                         double leaf_work = 1e6);
+                         double leaf_work = 4e6);
 
 }  // namespace nda::kbest
