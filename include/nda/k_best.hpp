@@ -20,6 +20,10 @@ namespace nda {
 /// one of them may be better and come first.  Status, bound and everything else are
 /// about the first, but for the time and the nodes.
 ///
+/// Whoever asks for more than there are gets all; where these are too many for memory only a limit
+/// ends it in time.  A limit that stops ranking leaves status `optimal`, which is about the first;
+/// num_proven() tells, and `nda solve` ends with exit code 3.
+///
 /// Options::ranking chooses other ways than this: good solutions without a proof of their ranks,
 /// by partial branch and bound (docs/partial_branch_and_bound.md).
 ///

@@ -87,6 +87,7 @@ class SlackMoves {
   }
 
   bool stopped() const { return stopped_; }
+  void look_at_clock() { stopped_ = stopped_ || limits_.deadline.reached(); }
   std::int64_t nodes() const { return nodes_; }
   double work() const { return work_; }
   /// What the search does besides.

@@ -163,7 +163,11 @@ std::size_t num_missing(const RankedSolution& solution, const RankedSolution& ot
 void print_ranks(const Solution& solution, bool all) {
   const std::vector<RankedSolution>& ranks = solution.solutions;
   if (ranks.empty()) return;
-  print("ranks         %zu, %zu of them proven\n\n", ranks.size(), num_proven(solution));
+  const bool is_cut_short = solution.proven && num_proven(solution) < ranks.size();
+  print("ranks         %zu, %zu of them proven%s\n\n",
+        ranks.size(),
+        num_proven(solution),
+        is_cut_short ? ": a limit stopped ranking" : "");
   print("%10s %18s %14s %8s %8s%s\n",
         "rank",
         "cost",

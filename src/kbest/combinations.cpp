@@ -5,6 +5,11 @@
 #include <utility>
 
 namespace nda::kbest {
+namespace {
+
+constexpr std::size_t kSumsBetweenLooks = 4096;
+
+}  // namespace
 
 std::vector<std::uint32_t> Combinations::arcs(Combination combination) const {
   std::vector<std::uint32_t> found;
@@ -40,7 +45,8 @@ RankedList combine_ranked(const RankedList& a,
                           std::size_t k,
                           double budget,
                           Combinations& combinations,
-                          double* left_out) {
+                          double* left_out,
+                          const core::Deadline& deadline) {
   struct Sum {
     double slack;
     std::size_t i;
@@ -63,6 +69,7 @@ RankedList combine_ranked(const RankedList& a,
   RankedList sums;
   enter(0, 0);
   while (!next.empty() && sums.size() < k) {
+    if (sums.size() % kSumsBetweenLooks == kSumsBetweenLooks - 1 && deadline.reached()) break;
     const Sum least = next.top();
     next.pop();
     sums.push_back({least.slack, combinations.join(a[least.i].arcs, b[least.j].arcs)});

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <new>
 #include <vector>
+
+#include "core/clock.hpp"
 
 namespace nda::kbest {
 
@@ -10,7 +13,8 @@ using Combination = std::uint32_t;
 inline constexpr Combination kNothing = 0;
 
 /// Sets of arcs that share their parts: joining two takes constant time and memory, whatever they
-/// hold.  So a list of thousands of solutions that differ here and there stays small.
+/// hold.  So a list of thousands of solutions that differ here and there stays small.  Throws
+/// std::bad_alloc beyond 2^32 of them (32 GiB).
 class Combinations {
  public:
   Combination single(std::uint32_t arc) { return add({arc, kLeaf}); }
@@ -30,6 +34,7 @@ class Combinations {
   static constexpr std::uint32_t kLeaf = ~std::uint32_t{0};
 
   Combination add(Pair pair) {
+    if (pairs_.size() > kLeaf) throw std::bad_alloc();
     pairs_.push_back(pair);
     return static_cast<Combination>(pairs_.size() - 1);
   }
@@ -49,7 +54,8 @@ using RankedList = std::vector<Ranked>;
 /// Merges `more` into `list`, both ascending, and keeps the k least.
 void merge_ranked(RankedList& list, const RankedList& more, std::size_t k);
 
-/// One of each list, in all ways: the k least sums below `budget`, ascending.  Lazy: O(k log k).
+/// One of each list, in all ways: the k least sums below `budget`, ascending; some thousands of
+/// them at least, and those before the deadline.  Lazy: O(k log k).
 /// @param left_out  lowered to the least sum beyond the budget that was met; may be null.  If there
 ///                  are fewer than k below it, that is the least of all beyond it.
 /// Source: the frontier of Lawler (1972) for sums of two lists.
@@ -58,6 +64,7 @@ RankedList combine_ranked(const RankedList& a,
                           std::size_t k,
                           double budget,
                           Combinations& combinations,
-                          double* left_out = nullptr);
+                          double* left_out = nullptr,
+                          const core::Deadline& deadline = {});
 
 }  // namespace nda::kbest

@@ -49,11 +49,16 @@ constexpr double kGrowth = 1.5;             // of the number of neighbours withi
 constexpr double kBlindGrowth = 2;          // of the reach, where neighbours say nothing
 constexpr double kLeastGrowth = 1.25;       // beyond the reach from where on there may be more
 constexpr std::size_t kSumsBetweenLooks = 64;
+constexpr std::size_t kSortedBetweenLooks = 4096;
 
 // As many neighbours as have k combinations, if no two exclude each other, and as many again.
 std::size_t first_within(std::size_t k) {
   return 2 * static_cast<std::size_t>(
                  std::ceil(std::log2(static_cast<double>(std::max<std::size_t>(k, 2)))));
+}
+
+bool is_dearer(const SlackView::Neighbour& a, const SlackView::Neighbour& b) {
+  return std::tie(a.rise, a.arc, a.second) > std::tie(b.rise, b.arc, b.second);
 }
 
 std::size_t hash_of(const std::vector<ArcId>& arcs) {
@@ -75,7 +80,8 @@ bool SlackRanker::list(std::size_t enough, std::size_t planned, const RankLimits
   if (!look(planned, limits.deadline)) return false;
   while (!is_done()) {
     left.max_nodes = limits.max_nodes - (nodes_ - before);
-    if (limits.deadline.reached() || !widen(next_reach(planned), planned, left)) return false;
+    if (limits.deadline.reached() || !widen(next_reach(planned, limits.deadline), planned, left))
+      return false;
   }
   return true;
 }
@@ -84,11 +90,12 @@ bool SlackRanker::list(std::size_t enough, std::size_t planned, const RankLimits
 bool SlackRanker::look(std::size_t planned, const core::Deadline& deadline) {
   if (view_) return true;
   view_.emplace(problem_, solution_, deadline);
-  if (!deadline.reached()) neighbours_ = view_->neighbours(first_within(planned), deadline);
+  if (!deadline.reached()) others_ = view_->neighbours(first_within(planned), deadline);
   if (deadline.reached()) {
     view_.reset();
     return false;
   }
+  std::make_heap(others_.begin(), others_.end(), is_dearer);
   error_ =
       pipeline::precision_of(problem_.num_indices(), pipeline::largest_cost(problem_), {}).error;
   grid_ = core::find_grid(problem_, deadline).step;
@@ -96,37 +103,34 @@ bool SlackRanker::look(std::size_t planned, const core::Deadline& deadline) {
   return true;
 }
 
-void SlackRanker::sort_neighbours(std::size_t count) {
-  const auto cheaper = [](const SlackView::Neighbour& a, const SlackView::Neighbour& b) {
-    return std::tie(a.rise, a.arc, a.second) < std::tie(b.rise, b.arc, b.second);
-  };
-  count = std::min(count, neighbours_.size());
-  if (count <= num_sorted_) return;
-  const auto begin = neighbours_.begin();
-  std::partial_sort(begin + static_cast<std::ptrdiff_t>(num_sorted_),
-                    begin + static_cast<std::ptrdiff_t>(count),
-                    neighbours_.end(),
-                    cheaper);
-  num_sorted_ = count;
+// So many of them, as long as the deadline lets it.
+void SlackRanker::sort_neighbours(std::size_t count, const core::Deadline& deadline) {
+  while (neighbours_.size() < count && !others_.empty()) {
+    if (neighbours_.size() % kSortedBetweenLooks == kSortedBetweenLooks - 1 && deadline.reached())
+      break;
+    std::pop_heap(others_.begin(), others_.end(), is_dearer);
+    neighbours_.push_back(others_.back());
+    others_.pop_back();
+  }
 }
 
 // What the first neighbours cost more than the best; +inf where there are not so many.
-double SlackRanker::reach_of(std::size_t within) {
+double SlackRanker::reach_of(std::size_t within, const core::Deadline& deadline) {
   if (within == 0) return 0;
-  if (within > neighbours_.size()) return kInfinity;
-  sort_neighbours(within);
-  return std::max(0.0, neighbours_[within - 1].rise);
+  if (within > num_neighbours()) return kInfinity;
+  sort_neighbours(within, deadline);
+  return std::max(0.0, neighbours_[std::min(within, neighbours_.size()) - 1].rise);
 }
 
 // The same again, where more was within it than was asked for.
-double SlackRanker::next_reach(std::size_t planned) {
+double SlackRanker::next_reach(std::size_t planned, const core::Deadline& deadline) {
   if (is_cut_short_) return reach_;
   const auto more = static_cast<std::size_t>(kGrowth * static_cast<double>(within_)) + 1;
   within_ = std::min(std::max(first_within(planned), within_ > 0 ? more : 0), planned - 1);
   const double least = reached();
-  double reach = reach_of(within_);
-  if (reach == kInfinity && !neighbours_.empty() && parts_.empty())
-    reach = reach_of(neighbours_.size());
+  double reach = reach_of(within_, deadline);
+  if (reach == kInfinity && num_neighbours() > 0 && parts_.empty())
+    reach = reach_of(num_neighbours(), deadline);
   if (reach == kInfinity || !(reach > reach_)) reach = kBlindGrowth * std::max(reach_, error_);
   return std::max(reach > least ? reach : kLeastGrowth * least, beyond(reach_, error_));
 }
@@ -156,7 +160,7 @@ bool SlackRanker::widen(double reach, std::size_t k, const RankLimits& limits) {
 // Cuts out what is within reach, if it was not yet, and more than that.
 bool SlackRanker::split(double reach, std::size_t k, const core::Deadline& deadline) {
   if (reach <= cut_reach_) return true;
-  const double most = reach_of(k - 1);
+  const double most = reach_of(k - 1, deadline);
   const double cut = most < kInfinity ? std::max(reach, most) : kBlindGrowth * reach;
   const double budget = view_->slack() + cut;
   std::vector<ArcId> near;
@@ -246,9 +250,10 @@ std::vector<RankedSolution> SlackRanker::unlisted(std::size_t skipped,
   std::vector<RankedSolution> found;
   if (!look(count, deadline)) return found;
   std::size_t seen = 0;
-  for (std::size_t n = 0; n < neighbours_.size() && found.size() < count; ++n) {
+  for (std::size_t n = 0; found.size() < count; ++n) {
     if (found.size() >= kFewNeighbours && deadline.reached()) break;
-    if (n == num_sorted_) sort_neighbours(n + std::min(count, neighbours_.size()));
+    sort_neighbours(n + 1, deadline);
+    if (n == neighbours_.size()) break;
     std::vector<ArcId> arcs = view_->arcs_of(neighbours_[n]);
     std::sort(arcs.begin(), arcs.end());
     if (is_listed(arcs) || seen++ < skipped) continue;

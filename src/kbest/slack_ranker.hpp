@@ -26,10 +26,11 @@ class SlackRanker : public Ranker {
                                        const core::Deadline& deadline) override;
 
  private:
+  std::size_t num_neighbours() const { return neighbours_.size() + others_.size(); }
   bool look(std::size_t planned, const core::Deadline& deadline);
-  void sort_neighbours(std::size_t count);
-  double reach_of(std::size_t within);
-  double next_reach(std::size_t planned);
+  void sort_neighbours(std::size_t count, const core::Deadline& deadline);
+  double reach_of(std::size_t within, const core::Deadline& deadline);
+  double next_reach(std::size_t planned, const core::Deadline& deadline);
   double reached() const;
   bool widen(double reach, std::size_t k, const RankLimits& limits);
   bool split(double reach, std::size_t k, const core::Deadline& deadline);
@@ -41,16 +42,16 @@ class SlackRanker : public Ranker {
   const Problem& problem_;
   const Solution& solution_;
   std::optional<SlackView> view_;
-  std::vector<SlackView::Neighbour> neighbours_;
-  std::size_t num_sorted_ = 0;  // of them, the cheapest
-  double error_ = 0;            // of rounding
-  double grid_ = 0;             // spacing of the costs
-  double cut_reach_ = -1;       // what the parts were made for
-  double next_arc_ = 0;         // reduced cost that arcs in no part have at least
-  std::vector<Part> parts_;     // all arcs within cut_reach_
-  double reach_ = 0;            // all within are listed, unless that was
-  bool is_cut_short_ = false;   // by the number asked for
-  std::size_t within_ = 0;      // neighbours that the reach was for
+  std::vector<SlackView::Neighbour> neighbours_;  // the cheapest, in order
+  std::vector<SlackView::Neighbour> others_;      // a heap, the cheapest on top
+  double error_ = 0;                              // of rounding
+  double grid_ = 0;                               // spacing of the costs
+  double cut_reach_ = -1;                         // what the parts were made for
+  double next_arc_ = 0;                           // reduced cost that arcs in no part have at least
+  std::vector<Part> parts_;                       // all arcs within cut_reach_
+  double reach_ = 0;                              // all within are listed, unless that was
+  bool is_cut_short_ = false;                     // by the number asked for
+  std::size_t within_ = 0;                        // neighbours that the reach was for
   Combinations combinations_;
   std::vector<std::vector<core::ArcId>> arcs_;  // of those listed, in the order they were found
   std::unordered_multimap<std::size_t, std::size_t> by_hash_;  // of the arcs, their number

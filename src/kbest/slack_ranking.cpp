@@ -34,6 +34,7 @@ using bnb::SlackMoves;
 using bnb::SlackNode;
 
 constexpr std::size_t kMostDepth = 20000;
+constexpr std::size_t kLongList = 1000;  // shorter ones are combined whatever the clock says
 
 class Search {
  public:
@@ -47,6 +48,7 @@ class Search {
       : problem_(problem),
         k_(k),
         margin_(margin),
+        deadline_(limits.deadline),
         names_(names),
         combinations_(combinations),
         moves_(problem, budget, limits, bnb::FreeRows::kKeep) {}
@@ -108,7 +110,8 @@ class Search {
       part.may_split = false;
       const RankedList found = solve(depth + 1, budget - list.front().slack);
       double left_out = kInfinity;
-      list = combine_ranked(list, found, k_, budget, combinations_, &left_out);
+      list = combine_ranked(list, found, k_, budget, combinations_, &left_out, deadline_);
+      if (list.size() > kLongList) moves_.look_at_clock();  // or it may be cut short
       moves_.leave_out(left_out - budget);
       moves_.add_work(list.size());
     }
@@ -146,6 +149,7 @@ class Search {
   const bnb::SlackProblem& problem_;
   const std::size_t k_;
   const double margin_;
+  const core::Deadline& deadline_;
   const std::span<const std::uint32_t> names_;
   Combinations& combinations_;
   SlackMoves moves_;

@@ -15,6 +15,7 @@
 #include "assign2d/network_simplex.hpp"
 #include "assign2d/shortest_path.hpp"
 #include "assign2d/sparse_solver.hpp"
+#include "nda/assign2d_k_best.hpp"
 #include "support/no_alloc.hpp"
 
 // One contract, every implementation.
@@ -293,6 +294,21 @@ TEST_P(Assign2dSolvers, AllocateNothingOnceWarm) {
       EXPECT_EQ(support::count_allocations([&] { solver_->solve(view, result); }), 0u);
     }
   }
+}
+
+// What has been listed is kept, so memory grows: by doubling, not with every assignment.
+TEST(Assign2dRanking, HardlyAllocatesOnceItIsWarm) {
+  Random random(1);
+  Recipe recipe;
+  recipe.num_rows = recipe.num_columns = 30;
+  const OwnedProblem problem = random_problem(recipe, random);
+  Assign2dRanking ranking(problem.view());
+  Assign2dResult result;
+  for (int n = 0; n < 500; ++n) ASSERT_TRUE(ranking.next(result));
+  const std::size_t allocations = support::count_allocations([&] {
+    for (int n = 0; n < 1000; ++n) ASSERT_TRUE(ranking.next(result));
+  });
+  EXPECT_LT(allocations, 60u);
 }
 
 const Implementation kImplementations[] = {

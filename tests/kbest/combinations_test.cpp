@@ -51,6 +51,18 @@ TEST(CombineRanked, FindsTheLeastSums) {
   EXPECT_THAT(combine_ranked(a, {}, 9, kInfinity, combinations), IsEmpty());
 }
 
+// A million sums would be made of these; the clock is looked at after some thousand.
+TEST(CombineRanked, StopsAtTheDeadline) {
+  Combinations combinations;
+  RankedList list(1000);
+  for (std::size_t i = 0; i < list.size(); ++i) list[i].slack = static_cast<double>(i);
+  const core::Deadline passed(-1);
+  const RankedList sums =
+      combine_ranked(list, list, 1u << 30, kInfinity, combinations, nullptr, passed);
+  EXPECT_LT(sums.size(), 10000u);
+  EXPECT_GT(sums.size(), 1000u);
+}
+
 TEST(CombineRanked, AgreesWithAllSums) {
   core::Random random(1);
   for (int repeat = 0; repeat < 500; ++repeat) {
