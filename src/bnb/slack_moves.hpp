@@ -65,13 +65,11 @@ class SlackMoves {
         limits_(limits),
         free_rows_(free_rows),
         least_step_(budget < kInfinity ? kStep * budget : 0),
+        lists_(std::make_shared<const ArcLists>(problem)),
         open_uses_(problem.num_rows()),
         occupied_(problem.num_rows(), 0),
         position_(problem.num_arcs(), 0),
-        parts_(problem) {
-    list_arcs_of_rows();
-    mark_indices_of_arcs();
-  }
+        parts_(problem) {}
 
   /// All arcs and rows.
   void open(SlackNode& root) const {
@@ -86,8 +84,20 @@ class SlackMoves {
     root.may_split = true;
   }
 
+  /// The same problem and limits, nothing done yet.  What stays as it is they share.
+  SlackMoves fork() const {
+    SlackMoves other = *this;
+    other.nodes_ = 0;
+    other.work_ = other.work_at_look_ = 0;
+    return other;
+  }
+
   bool stopped() const { return stopped_; }
   void look_at_clock() { stopped_ = stopped_ || limits_.deadline.reached(); }
+  void stop() { stopped_ = true; }
+  /// Stops after so many nodes in all.
+  void limit_nodes(std::int64_t max_nodes) { max_nodes_ = max_nodes; }
+  bool is_index(std::uint32_t row) const { return row < problem_.num_indices(); }
   std::int64_t nodes() const { return nodes_; }
   double work() const { return work_; }
   /// What the search does besides.
@@ -176,7 +186,7 @@ class SlackMoves {
   /// By an arc that is taken next.
   void occupy(std::uint32_t arc) {
     for (const RowUse use : problem_.uses(arc)) occupied_[use.row] += use.coefficient;
-    occupied_marks_ |= indices_[arc];
+    occupied_marks_ |= lists_->indices[arc];
   }
 
   /// What is left of a node when a row is not used any more; `next` may be `here`.
@@ -199,9 +209,32 @@ class SlackMoves {
   static constexpr std::size_t kUsesOfArc = 8;  // about
   static constexpr std::uint32_t kMarks = 64;   // bits of a set of indices
 
-  bool keeps(std::uint32_t row) const {
-    return free_rows_ == FreeRows::kKeep && row < problem_.num_indices();
-  }
+  struct ArcUse {
+    std::uint32_t arc;
+    std::uint32_t coefficient;
+  };
+
+  struct ArcLists {
+    explicit ArcLists(const SlackProblem& problem)
+        : of_row(problem.num_rows(),
+                 [&](auto&& visit) {
+                   for (std::uint32_t a = 0; a < problem.num_arcs(); ++a) {
+                     for (const RowUse use : problem.uses(a))
+                       visit(use.row, ArcUse{a, use.coefficient});
+                   }
+                 }),
+          indices(problem.num_arcs(), 0) {
+      for (std::uint32_t a = 0; a < problem.num_arcs(); ++a) {
+        for (const RowUse use : problem.index_uses(a))
+          indices[a] |= std::uint64_t{1} << use.row % kMarks;
+      }
+    }
+
+    core::Lists<ArcUse> of_row;
+    std::vector<std::uint64_t> indices;  // [arc]: its indices, modulo kMarks
+  };
+
+  bool keeps(std::uint32_t row) const { return free_rows_ == FreeRows::kKeep && is_index(row); }
 
   // Whether a budget pays for so much slack; else that is left out.
   bool affords(double budget, double slack) {
@@ -212,7 +245,7 @@ class SlackMoves {
 
   // Counts a node; looks at the limits.
   bool is_stopped() {
-    if (nodes_ >= limits_.max_nodes || work_ > limits_.max_work) return stopped_ = true;
+    if (stopped_ || nodes_ >= max_nodes_ || work_ > limits_.max_work) return stopped_ = true;
     ++nodes_;
     if (work_ - work_at_look_ > kWorkBetweenLooks) {
       work_at_look_ = work_;
@@ -280,23 +313,6 @@ class SlackMoves {
     return !forced.empty();
   }
 
-  void list_arcs_of_rows() {
-    row_arcs_ = core::Lists<ArcUse>(problem_.num_rows(), [&](auto&& visit) {
-      for (std::uint32_t a = 0; a < problem_.num_arcs(); ++a) {
-        for (const RowUse use : problem_.uses(a)) visit(use.row, ArcUse{a, use.coefficient});
-      }
-    });
-  }
-
-  void mark_indices_of_arcs() {
-    indices_.assign(problem_.num_arcs(), 0);
-    for (std::uint32_t a = 0; a < problem_.num_arcs(); ++a) {
-      for (const RowUse use : problem_.uses(a)) {
-        if (use.row < problem_.num_indices()) indices_[a] |= std::uint64_t{1} << use.row % kMarks;
-      }
-    }
-  }
-
   void count(SlackNode& here, double left) {
     for (const OpenRow& row : here.rows) {
       open_uses_[row.row] = {};
@@ -331,12 +347,11 @@ class SlackMoves {
   // of all its arcs, or of all open ones, whichever are fewer.
   template <typename Visit>
   void for_each_open(SlackNode& here, std::uint32_t row, Visit&& visit) {
-    const bool is_index = row < problem_.num_indices();
-    const std::span<const ArcUse> of_row = row_arcs_[row];
-    if (here.arcs.size() * (is_index ? 1 : kUsesOfArc) < of_row.size()) {
-      const std::uint64_t mark = is_index ? std::uint64_t{1} << row % kMarks : 0;
+    const std::span<const ArcUse> of_row = lists_->of_row[row];
+    if (here.arcs.size() * (is_index(row) ? 1 : kUsesOfArc) < of_row.size()) {
+      const std::uint64_t mark = is_index(row) ? std::uint64_t{1} << row % kMarks : 0;
       for (OpenArc& arc : here.arcs) {
-        if ((indices_[arc.arc] & mark) != mark) continue;
+        if ((lists_->indices[arc.arc] & mark) != mark) continue;
         if (const std::uint32_t coefficient = coefficient_in(arc.arc, row); coefficient > 0)
           visit(arc, coefficient);
       }
@@ -378,7 +393,7 @@ class SlackMoves {
 
   // Whether all indices of an arc are free.
   bool fits(std::uint32_t arc) const {
-    if ((indices_[arc] & occupied_marks_) == 0) return true;
+    if ((lists_->indices[arc] & occupied_marks_) == 0) return true;
     if (problem_.num_indices() <= kMarks) return false;
     for (const RowUse use : problem_.index_uses(arc)) {
       if (occupied_[use.row] != 0) return false;
@@ -401,24 +416,20 @@ class SlackMoves {
   const SlackLimits& limits_;
   const FreeRows free_rows_;
   const double least_step_;
-  struct ArcUse {
-    std::uint32_t arc;
-    std::uint32_t coefficient;
-  };
   // The open arcs of a row.
   struct OpenUses {
     double least = kInfinity;  // reduced cost
     double sum = 0;            // of reduced costs
     std::uint32_t count = 0;   // sum of coefficients
   };
-  core::Lists<ArcUse> row_arcs_;         // by row
-  std::vector<std::uint64_t> indices_;   // [arc]: its indices, modulo kMarks
+  std::shared_ptr<const ArcLists> lists_;
   std::vector<OpenUses> open_uses_;      // [row]
   std::vector<std::uint32_t> occupied_;  // [row]: by the arcs being taken, else 0
   std::uint64_t occupied_marks_ = 0;     // indices of these arcs
   std::vector<std::uint32_t> position_;  // [arc]: where it was in the list counted last
   PartFinder parts_;
   core::Pause pause_{kLongestPause};
+  std::int64_t max_nodes_ = limits_.max_nodes;
   std::int64_t nodes_ = 0;
   double work_ = 0;
   double work_at_look_ = 0;

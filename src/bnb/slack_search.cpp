@@ -1,7 +1,12 @@
 #include "bnb/slack_search.hpp"
 
 #include <algorithm>
+#include <deque>
+#include <iterator>
+#include <utility>
+#include <vector>
 
+#include "bnb/slack_descent.hpp"
 #include "bnb/slack_moves.hpp"
 
 // Good multipliers leave a budget that pays for few deviations from zero slack, so what decides is
@@ -14,6 +19,12 @@
 //   branch   on the row with the fewest uses, dear ones counting less: one of its arcs is used, or
 //            none.
 //
+// A search that is not over soon is shared out.  Several descents (bnb/slack_descent) go on side by
+// side, in rounds: in each of them everyone does the same work, then all learn the least slack that
+// anyone has found, and those with much left give of it, what is nearest to the root first, to
+// those with nothing left.  Who does what is settled between rounds and by work alone, so threads
+// change nothing but the time.
+//
 // Rounding: sums of terms below the budget err by far less than kTolerance of it, so a budget that
 // much larger loses nothing.
 
@@ -21,93 +32,163 @@ namespace nda::bnb {
 namespace {
 
 constexpr double kTolerance = 0x1p-36;
+constexpr std::size_t kMostAtOnce = 8;
+constexpr double kLeastRound = 0.1;  // of the work of a round, where the limit is near
+// Waiting between rounds, so that whoever is done within one finds something to go on with.
+constexpr std::size_t kLeastWaiting = 24;
+
+// One of several descents, what waits for it, and the best packing it came across.
+struct Searcher {
+  SlackDescent descent;
+  std::deque<OpenSlack> waiting = {};
+  double bound = kInfinity;  // what is found is to have less slack
+  bool has_found = false;    // it has, and `bound` is the slack of
+  std::vector<std::uint32_t> arcs = {};
+
+  bool is_idle() const { return descent.is_done() && waiting.empty(); }
+
+  void lower(double new_bound) {
+    bound = std::min(bound, new_bound);
+    if (!descent.is_done()) descent.lower(bound);
+  }
+
+  // Goes on by so much.
+  void run(double more_work, std::int64_t more_nodes) {
+    const double max_work = descent.moves().work() + more_work;
+    descent.moves().limit_nodes(descent.moves().nodes() + more_nodes);
+    while (!is_idle()) {
+      if (descent.is_done()) begin_next();
+      descent.run(max_work);
+      if (!descent.is_done()) return;
+      if (!(descent.slack() < bound)) continue;
+      bound = descent.slack();
+      has_found = true;
+      arcs = descent.arcs();
+    }
+  }
+
+  void begin_next() {
+    OpenSlack next = std::move(waiting.front());
+    waiting.pop_front();
+    next.budget = std::min(next.budget, bound - next.before);
+    descent.begin(std::move(next));
+  }
+
+  // With the best of what was seen.
+  void stop() {
+    waiting.clear();
+    descent.moves().stop();
+    run(0, 0);
+  }
+};
 
 class SlackSearch {
  public:
-  SlackSearch(const SlackProblem& problem, double budget, const SlackLimits& limits)
-      : problem_(problem), moves_(problem, budget, limits, FreeRows::kDrop) {}
+  SlackSearch(const SlackProblem& problem,
+              double budget,
+              const SlackLimits& limits,
+              const SlackRounds& rounds)
+      : limits_(limits),
+        rounds_(rounds),
+        bound_(budget + (budget < kInfinity ? kTolerance * budget : 0)) {
+    own_limits_.deadline = limits.deadline;
+    SlackMoves moves(problem, budget, own_limits_, FreeRows::kDrop);
+    SlackNode root;
+    moves.open(root);
+    OpenSlack whole;
+    whole.arcs = std::move(root.arcs);
+    whole.rows = std::move(root.rows);
+    whole.budget = bound_;
+    searchers_.push_back({SlackDescent(std::move(moves))});
+    searchers_.front().waiting.push_back(std::move(whole));
+    searchers_.front().bound = bound_;
+  }
 
-  SlackResult run(double budget) {
-    Node& root = nodes_[0];
-    moves_.open(root);
-    SlackResult result;
-    result.slack = solve(0, budget < kInfinity ? budget + kTolerance * budget : budget);
-    if (result.slack < kInfinity) result.arcs = root.best;
-    result.complete = !moves_.stopped();
-    result.nodes = moves_.nodes();
-    result.work = moves_.work();
-    return result;
+  SlackResult run() {
+    searchers_.front().run(std::min(rounds_.first_work, limits_.max_work), limits_.max_nodes);
+    for (collect(); !is_over() && !is_stopped(); collect()) round();
+    result_.complete = is_over();
+    if (!result_.complete) {
+      for (Searcher& searcher : searchers_) searcher.stop();
+      collect();
+    }
+    return std::move(result_);
   }
 
  private:
-  struct Node : SlackNode {
-    std::vector<std::uint32_t> best;  // arcs of the best packing found
-  };
-
-  // Least slack below the budget, or +inf; its arcs are then the node's best.
-  double solve(std::size_t depth, double budget) {
-    Node& here = nodes_[depth];
-    here.best.clear();
-    double spent = 0;
-    if (!moves_.tighten(here, spent, budget, depth > std::size_t{kMostProofSearchDepth}))
-      return kInfinity;
-    if (!here.rows.empty()) spent += divide(depth, budget - spent);
-    if (!(spent < budget)) return kInfinity;
-    here.best.insert(here.best.end(), here.forced.begin(), here.forced.end());
-    return spent;
+  // Nothing is left to search, and nothing was left out.
+  bool is_over() const {
+    return std::all_of(searchers_.begin(), searchers_.end(), [](const Searcher& searcher) {
+      return searcher.is_idle() && !searcher.descent.moves().stopped();
+    });
   }
 
-  double divide(std::size_t depth, double budget) {
-    return moves_.falls_apart(nodes_[depth]) ? solve_parts(depth, budget) : branch(depth, budget);
+  bool is_stopped() const {
+    return result_.work > limits_.max_work ||
+           std::any_of(searchers_.begin(), searchers_.end(), [](const Searcher& searcher) {
+             return searcher.descent.moves().stopped();
+           });
   }
 
-  double solve_parts(std::size_t depth, double budget) {
-    Node& here = nodes_[depth];
-    double spent = 0;
-    for (std::size_t p = 0; p < here.parts.size(); ++p) {
-      Node& part = nodes_[depth + 1];
-      here.parts.copy(p, here.arcs, here.rows, part.arcs, part.rows);
-      part.may_split = false;
-      const double slack = solve(depth + 1, budget - spent);
-      if (!(slack < budget - spent)) return kInfinity;
-      spent += slack;
-      here.best.insert(here.best.end(), part.best.begin(), part.best.end());
+  void round() {
+    while (searchers_.size() < kMostAtOnce)
+      searchers_.push_back({SlackDescent(searchers_.front().descent.moves().fork())});
+    for (Searcher& searcher : searchers_) searcher.lower(bound_);
+    deal(share());
+    const double work = std::clamp((limits_.max_work - result_.work) / kMostAtOnce,
+                                   kLeastRound * rounds_.round_work,
+                                   rounds_.round_work);
+    const std::int64_t nodes = (limits_.max_nodes - result_.nodes) / std::int64_t{kMostAtOnce};
+    limits_.for_all(searchers_.size(), [&](std::size_t s) { searchers_[s].run(work, nodes); });
+  }
+
+  // What waits, and if that is little, what those who are at work give away.
+  std::vector<OpenSlack> share() {
+    std::vector<OpenSlack> open;
+    for (Searcher& searcher : searchers_) {
+      std::move(searcher.waiting.begin(), searcher.waiting.end(), std::back_inserter(open));
+      searcher.waiting.clear();
     }
-    return spent;
-  }
-
-  double branch(std::size_t depth, double budget) {
-    Node& here = nodes_[depth];
-    const OpenRow row = moves_.narrowest(here, budget);
-    moves_.list_choices(here, row.row);
-    double least = kInfinity;
-    for (const OpenArc choice : here.choices) {
-      const double limit = std::min(budget, least) - choice.reduced;
-      if (moves_.stopped() || !(limit > 0)) break;
-      moves_.occupy(choice.arc);
-      moves_.take(here, std::span(&choice.arc, 1), limit, nodes_[depth + 1]);
-      const double slack = solve(depth + 1, limit);
-      if (slack < limit) {
-        least = choice.reduced + slack;
-        here.best = nodes_[depth + 1].best;
-        here.best.push_back(choice.arc);
-      }
-      // More arcs may fit into a cut: not in every order.
-      if (row.row >= problem_.num_indices()) SlackMoves::drop(here, choice.arc);
+    for (Searcher& searcher : searchers_) {
+      if (open.size() >= kLeastWaiting) break;
+      if (!searcher.descent.is_done()) searcher.descent.give_away(open);
     }
-    const double price = row.left * row.price;
-    const double limit = std::min(budget, least) - price;
-    if (moves_.stopped() || !(limit > 0)) return least;
-    moves_.leave(here, row.row, nodes_[depth + 1]);
-    const double slack = solve(depth + 1, limit);
-    if (!(slack < limit)) return least;
-    here.best = nodes_[depth + 1].best;
-    return price + slack;
+    return open;
   }
 
-  const SlackProblem& problem_;
-  SlackMoves moves_;
-  NodesByDepth<Node> nodes_;
+  // To whoever has the least.
+  void deal(std::vector<OpenSlack> open) {
+    const auto load = [](const Searcher& searcher) {
+      return searcher.waiting.size() + (searcher.descent.is_done() ? 0 : 1);
+    };
+    for (OpenSlack& node : open) {
+      const auto least = std::min_element(
+          searchers_.begin(), searchers_.end(), [&](const Searcher& a, const Searcher& b) {
+            return load(a) < load(b);
+          });
+      least->waiting.push_back(std::move(node));
+    }
+  }
+
+  // What the searchers found and did.
+  void collect() {
+    result_.nodes = 0;
+    result_.work = 0;
+    for (Searcher& searcher : searchers_) {
+      result_.nodes += searcher.descent.moves().nodes();
+      result_.work += searcher.descent.moves().work();
+      if (!std::exchange(searcher.has_found, false) || !(searcher.bound < bound_)) continue;
+      result_.slack = bound_ = searcher.bound;
+      result_.arcs = searcher.arcs;
+    }
+  }
+
+  const SlackLimits& limits_;
+  const SlackRounds rounds_;
+  SlackLimits own_limits_;  // of every descent
+  std::deque<Searcher> searchers_;
+  double bound_;  // on the slack that is looked for
+  SlackResult result_;
 };
 
 }  // namespace
@@ -137,8 +218,11 @@ std::uint32_t SlackProblem::add_arc(double reduced, std::span<const RowUse> uses
   return num_arcs() - 1;
 }
 
-SlackResult search_slack(const SlackProblem& problem, double budget, const SlackLimits& limits) {
-  return SlackSearch(problem, budget, limits).run(budget);
+SlackResult search_slack(const SlackProblem& problem,
+                         double budget,
+                         const SlackLimits& limits,
+                         const SlackRounds& rounds) {
+  return SlackSearch(problem, budget, limits, rounds).run();
 }
 
 }  // namespace nda::bnb

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/clock.hpp"
+#include "core/for_all.hpp"
 #include "nda/types.hpp"
 
 namespace nda::bnb {
@@ -63,6 +64,14 @@ struct SlackLimits {
   std::int64_t max_nodes = std::int64_t{1} << 60;
   double max_work = kInfinity;  ///< rows, and arcs times their rows, looked at; counted once a node
   core::Deadline deadline;
+  core::ForAll for_all;  ///< of the parts of a long search
+};
+
+/// When a search is shared out: it does first_work alone (SlackLimits::max_work), then several are
+/// at it, each for round_work between two times that they share what is known and what is left.
+struct SlackRounds {
+  double first_work = 5e5;
+  double round_work = 1e5;
 };
 
 struct SlackResult {
@@ -77,8 +86,11 @@ struct SlackResult {
 /// first over the uses of rows, tightening prices on the way, and dividing what is left wherever it
 /// falls apart.
 ///
-/// Deterministic unless the deadline strikes.  Cost: exponential in the worst case; memory
-/// O(depth * arcs).
-SlackResult search_slack(const SlackProblem& problem, double budget, const SlackLimits& limits);
+/// Deterministic unless the deadline strikes, whatever `limits.for_all` does at once.  Cost:
+/// exponential in the worst case; memory O(depth * arcs).
+SlackResult search_slack(const SlackProblem& problem,
+                         double budget,
+                         const SlackLimits& limits,
+                         const SlackRounds& rounds = {});
 
 }  // namespace nda::bnb

@@ -38,7 +38,7 @@ std::size_t CutPool::separate(RelaxedProgram& program, const core::Deadline& dea
   std::vector<cutting::ViolatedCut> found = separator.three_rows(kLeastViolation, deadline);
   for (const cutting::Pattern& pattern : cutting::patterns()) {
     if (found.size() >= kMostCutsAtOnce / 4 || deadline.reached()) break;
-    const auto more = separator.search(pattern, kEffort, random_, deadline);
+    const auto more = separator.search(pattern, kEffort, random_(), deadline);
     found.insert(found.end(), more.begin(), more.end());
   }
   cutting::keep_most_violated(found, kMostCutsAtOnce);

@@ -102,6 +102,7 @@ CutLoopEnd BranchAndCut::tighten(int depth) {
   loop.proof = limits_.proof;
   loop.worthwhile = kWorthwhile;
   loop.deadline = limits_.deadline;
+  loop.for_all = limits_.for_all;
   loop.work = &search_work_;
   const PackingOffer offer = [&](const Master& master, const core::Packing* packing) {
     return cutoff_ = offer_(master, packing);
@@ -124,6 +125,7 @@ LeafLimits BranchAndCut::leaf_limits() const {
   limits.max_work = limits_.leaf_work;
   limits.max_nodes = limits_.max_nodes - num_nodes();
   limits.deadline = limits_.deadline;
+  limits.for_all = limits_.for_all;
   limits.proof = limits_.proof;
   limits.ranks = limits_.ranks;
   return limits;

@@ -6,6 +6,7 @@
 
 #include "core/clock.hpp"
 #include "core/component.hpp"
+#include "core/for_all.hpp"
 #include "core/pause.hpp"
 #include "cutting/cut_loop.hpp"
 #include "cutting/leaf_search.hpp"
@@ -42,6 +43,7 @@ struct BranchAndCutLimits {
   /// Packings are to be cheaper than the best by so much: what a cutoff stands below it.
   double margin = 0;
   core::Deadline deadline;
+  core::ForAll for_all;       ///< of searches, and of the nodes of a large tree
   ProofLog* proof = nullptr;  ///< where to write down the tree; whole if the search is exhaustive
   /// Where more packings count than the best: all below the cutoff are offered, and others.  Null =
   /// that alone; else without a proof.

@@ -20,34 +20,61 @@ constexpr int kMostIdle = 3;
 constexpr int kLongestPause = 7;
 constexpr int kPatience = 2;
 
-// Separation by all patterns in turn.  One that finds nothing pauses, each time for longer.
+// Separation by all patterns.  One that finds nothing pauses, each time for longer.  They share
+// nothing but the point, so they may go on at once.
 class Separation {
  public:
-  explicit Separation(const core::Deadline& deadline)
-      : deadline_(deadline), pauses_(patterns().size(), core::Pause(kLongestPause)) {}
+  Separation(const core::Deadline& deadline, const core::ForAll& for_all)
+      : deadline_(deadline),
+        for_all_(for_all),
+        pauses_(patterns().size(), core::Pause(kLongestPause)) {}
 
   // All violated cuts that are found by the first `count` patterns and by three rows.
-  std::vector<ViolatedCut> operator()(Separator& separator,
+  std::vector<ViolatedCut> operator()(const Separator& separator,
                                       std::size_t count,
                                       const SeparationEffort& effort) {
-    std::vector<ViolatedCut> found = separator.three_rows(effort.least_violation, deadline_);
+    std::vector<Search> searches;
     for (std::size_t p = 0; p < count; ++p) {
-      if (pauses_[p].skip()) continue;
-      std::vector<ViolatedCut> more = separator.search(patterns()[p], effort, random_, deadline_);
-      pauses_[p].note(!more.empty());
-      keep_most_violated(more, kLeastCuts);
-      found.insert(found.end(), more.begin(), more.end());
+      if (!pauses_[p].skip()) searches.push_back({p, random_(), separator, {}});
+    }
+    std::vector<ViolatedCut> found;
+    for_all_(searches.size() + 1, [&](std::size_t n) {
+      if (n == searches.size()) {
+        found = separator.three_rows(effort.least_violation, deadline_);
+      } else {
+        Search& search = searches[n];
+        search.cuts =
+            search.separator.search(patterns()[search.pattern], effort, search.seed, deadline_);
+      }
+    });
+    for (Search& search : searches) {
+      work_ += search.separator.work() - separator.work();
+      pauses_[search.pattern].note(!search.cuts.empty());
+      keep_most_violated(search.cuts, kLeastCuts);
+      found.insert(found.end(), search.cuts.begin(), search.cuts.end());
     }
     return found;
   }
+
+  // Of all searches (Separator::work).
+  double work() const { return work_; }
 
   // Ends all pauses.
   void wake() { pauses_.assign(pauses_.size(), core::Pause(kLongestPause)); }
 
  private:
+  struct Search {
+    std::size_t pattern;
+    std::uint64_t seed;
+    Separator separator;
+    std::vector<ViolatedCut> cuts;
+  };
+
   const core::Deadline& deadline_;
+  const core::ForAll& for_all_;
   core::Random random_{1};
   std::vector<core::Pause> pauses_;
+  double work_ = 0;
 };
 
 bool search(LeafSearch& leaf, const Master& master, double& cutoff, double* work) {
@@ -67,7 +94,7 @@ CutLoopEnd run_cut_loop(const core::Component& component,
   double last_lower = -kInfinity;
   int idle_rounds = 0;
   bool thorough = false;
-  Separation separate(options.deadline);
+  Separation separate(options.deadline, options.for_all);
   const std::size_t last = std::min(options.most_patterns, patterns().size());
   std::size_t stage = std::min(options.first_patterns, last);
   const auto look_harder = [&] {
@@ -90,7 +117,7 @@ CutLoopEnd run_cut_loop(const core::Component& component,
     if (options.leaf != nullptr && search(*options.leaf, master, cutoff, options.work))
       return CutLoopEnd::kSearched;
     master.drop_idle(kMostIdle);
-    Separator separator(component, master.arcs(), master.values());
+    const Separator separator(component, master.arcs(), master.values());
     if (separator.integral()) return CutLoopEnd::kIntegral;
     if (gain < options.worthwhile * gap) {
       const bool stalled = stage == last && ++idle_rounds > (thorough ? 0 : kPatience);
@@ -99,13 +126,14 @@ CutLoopEnd run_cut_loop(const core::Component& component,
     } else {
       idle_rounds = 0;
     }
+    const double before = separate.work();
     std::vector<ViolatedCut> cuts = separate(separator, stage, thorough ? kThorough : kQuick);
     if (cuts.empty() && stage == last) {
       if (!look_harder()) return CutLoopEnd::kStalled;
       cuts = separate(separator, stage, kThorough);
     }
-    if (options.leaf != nullptr) options.leaf->earn(separator.work());
-    if (options.work != nullptr) *options.work += separator.work();
+    if (options.leaf != nullptr) options.leaf->earn(separate.work() - before);
+    if (options.work != nullptr) *options.work += separate.work() - before;
     keep_most_violated(cuts, std::max(kLeastCuts, component.num_indices() / 5));
     for (const ViolatedCut& violated : cuts) master.add(violated.cut);
   }

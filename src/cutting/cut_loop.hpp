@@ -6,6 +6,7 @@
 
 #include "core/clock.hpp"
 #include "core/component.hpp"
+#include "core/for_all.hpp"
 #include "cutting/master.hpp"
 
 namespace nda::cutting {
@@ -34,6 +35,7 @@ struct CutLoopOptions {
   /// Where to add the work of separation and of `leaf` (bnb::SlackLimits); may be null.
   double* work = nullptr;
   core::Deadline deadline;
+  core::ForAll for_all;  ///< of patterns
 };
 
 /// How the loop ended.

@@ -8,6 +8,7 @@
 #include "bnb/slack_search.hpp"
 #include "core/clock.hpp"
 #include "core/component.hpp"
+#include "core/for_all.hpp"
 #include "core/pause.hpp"
 #include "cutting/master.hpp"
 #include "cutting/proof_log.hpp"
@@ -47,6 +48,7 @@ struct LeafLimits {
   double max_work = 1e6;       ///< of searches (bnb::SlackLimits) for every call; 0 = none
   std::int64_t max_nodes = 0;  ///< of all searches
   core::Deadline deadline;
+  core::ForAll for_all;              ///< of the parts of a search
   ProofLog* proof = nullptr;         ///< where to write searches down
   const LeafRanks* ranks = nullptr;  ///< null = the best packing alone counts
 };

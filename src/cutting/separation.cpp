@@ -238,11 +238,11 @@ double Separator::violation(const Pattern& pattern) {
 
 std::vector<ViolatedCut> Separator::search(const Pattern& pattern,
                                            const SeparationEffort& effort,
-                                           core::Random& random,
+                                           std::uint64_t seed,
                                            const core::Deadline& deadline) {
   std::vector<ViolatedCut> found;
   std::unordered_set<std::size_t> seen;
-  random_ = core::Random(random());
+  random_ = core::Random(seed);
   prepare(pattern);
   chosen_.assign(pattern.weights.size(), kNone);
   std::vector<std::uint32_t> seeds(num_rows());

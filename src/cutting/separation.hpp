@@ -57,10 +57,10 @@ class Separator {
   std::vector<ViolatedCut> three_rows(double least, const core::Deadline& deadline) const;
 
   /// Violated cuts of a pattern: from every row a local search over which row takes which weight.
-  /// Heuristic.  Stops at the deadline.
+  /// Heuristic, and random: another seed, other cuts.  Stops at the deadline.
   std::vector<ViolatedCut> search(const Pattern& pattern,
                                   const SeparationEffort& effort,
-                                  core::Random& random,
+                                  std::uint64_t seed,
                                   const core::Deadline& deadline);
 
  private:

@@ -37,6 +37,12 @@ struct Branch {
   std::vector<Packing> packings;
 };
 
+// How much of one is done at most.
+struct Effort {
+  std::int64_t nodes;
+  double work;
+};
+
 // A search whose steps are to stand in the proof: the place of its root.
 struct ProofPlace {
   std::size_t parent;  // search, 0 = the first one
@@ -57,14 +63,12 @@ class TreeSearch {
              double cutoff,
              const BranchAndCutLimits& limits,
              const PackingOffer& offer,
-             const ForAll& for_all,
              const TreeShape& shape)
       : component_(component),
         master_(master),
         cutoff_(cutoff),
         limits_(limits),
         offer_(offer),
-        for_all_(for_all),
         shape_(shape) {}
 
   BranchAndCutResult run() {
@@ -106,20 +110,18 @@ class TreeSearch {
     if (cutoff_ == -kInfinity) return open_.clear();
     const std::vector<Open> chosen = choose();
     const std::int64_t nodes = left_nodes() / static_cast<std::int64_t>(chosen.size());
+    // Where few nodes are open, there should soon be more.
+    const double share = static_cast<double>(chosen.size()) / static_cast<double>(kMostAtOnce);
+    const Effort effort = {nodes, share * shape_.round_work};
     const std::size_t first = places_.size() + 1;
     for (const Open& open : chosen) {
       places_.push_back(open.place);
       if (limits_.proof != nullptr) logs_.push_back(limits_.proof->fork());
     }
     std::vector<Branch> branches(chosen.size());
-    const auto explore = [&](std::size_t i) {
-      branches[i] = search(chosen[i], nodes, log(first + i));
-    };
-    if (for_all_) {
-      for_all_(chosen.size(), explore);
-    } else {
-      for (std::size_t i = 0; i < chosen.size(); ++i) explore(i);
-    }
+    limits_.for_all(chosen.size(), [&](std::size_t i) {
+      branches[i] = search(chosen[i], effort, log(first + i));
+    });
     for (std::size_t i = 0; i < chosen.size(); ++i) take(branches[i], first + i);
     sort_open();
     drop_bases();
@@ -136,11 +138,11 @@ class TreeSearch {
   }
 
   // Explores a node with a linear program of its own.
-  Branch search(const Open& open, std::int64_t nodes, ProofLog* log) const {
+  Branch search(const Open& open, const Effort& effort, ProofLog* log) const {
     Branch branch;
     branch.base = std::make_shared<Base>(open.base ? *open.base : Base{master_, 0});
     BranchAndCutLimits limits = limits_;
-    limits.max_nodes = nodes;
+    limits.max_nodes = effort.nodes;
     limits.proof = log;
     limits.pause = nullptr;
     double cutoff = cutoff_;
@@ -152,7 +154,7 @@ class TreeSearch {
       return cutoff;
     };
     BranchAndCut tree(component_, branch.base->master, cutoff, limits, offer);
-    branch.result = tree.run(open.node, branch.base->steps, shape_.round_work);
+    branch.result = tree.run(open.node, branch.base->steps, effort.work);
     branch.base->steps = open.node.path.size();
     return branch;
   }
@@ -217,7 +219,6 @@ class TreeSearch {
   double cutoff_;
   const BranchAndCutLimits& limits_;
   const PackingOffer& offer_;
-  const ForAll& for_all_;
   const TreeShape shape_;
   std::vector<Open> open_;
   std::vector<ProofPlace> places_;  // of the searches of rounds
@@ -232,9 +233,8 @@ BranchAndCutResult search_tree(const core::Component& component,
                                double cutoff,
                                const BranchAndCutLimits& limits,
                                const PackingOffer& offer,
-                               const ForAll& for_all,
                                const TreeShape& shape) {
-  return TreeSearch(component, master, cutoff, limits, offer, for_all, shape).run();
+  return TreeSearch(component, master, cutoff, limits, offer, shape).run();
 }
 
 }  // namespace nda::cutting

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <functional>
-
 #include "core/component.hpp"
 #include "cutting/branch_and_cut.hpp"
 #include "cutting/leaf_search.hpp"
@@ -10,29 +7,22 @@
 
 namespace nda::cutting {
 
-/// Calls work(i) for every i < count, in any order, perhaps at once; returns when all have.
-using ForAll =
-    std::function<void(std::size_t count, const std::function<void(std::size_t i)>& work)>;
-
 /// When a search breaks off and leaves its nodes to rounds: work (bnb::SlackLimits), some 40
 /// million a second.
 struct TreeShape {
   double first_work = 3e7;
-  double round_work = 3e7;  ///< of every search of a round
+  double round_work = 3e7;  ///< of every search of a round of many; of one of few, a part
 };
 
 /// Branch and cut (cutting/branch_and_cut.hpp) of a tree that may be large: depth first at first,
 /// then in rounds of open nodes, those of the least bound, each explored depth first for a while
 /// with a linear program of its own.  What a round explores depends on the rounds before it alone,
-/// so the answer does not depend on how many of its nodes `for_all` explores at once.
-///
-/// @param for_all  of the nodes of a round; empty = one after the other.
+/// so the answer does not depend on how many of its nodes `limits.for_all` explores at once.
 BranchAndCutResult search_tree(const core::Component& component,
                                Master& master,
                                double cutoff,
                                const BranchAndCutLimits& limits,
                                const PackingOffer& offer,
-                               const ForAll& for_all,
                                const TreeShape& shape = {});
 
 }  // namespace nda::cutting

@@ -95,11 +95,13 @@ class Widening {
     CutLoopOptions loop;
     loop.cutoff = cutoff_;
     loop.deadline = limits_.deadline;
+    loop.for_all = limits_.for_all;
     loop.proof = limits_.proof;
     loop.work = &own_work_;
     LeafLimits leaf_limits;
     leaf_limits.max_nodes = limits_.max_nodes - result_.nodes;
     leaf_limits.deadline = limits_.deadline;
+    leaf_limits.for_all = limits_.for_all;
     leaf_limits.proof = limits_.proof;
     LeafSearch leaf(component_, leaf_limits, 0, offer_);
     leaf.earn(kFirstLeafWork / static_cast<double>(component_.num_indices()));
@@ -151,6 +153,7 @@ class Widening {
     if (!limits.thorough) limits.node_patterns = 0;
     limits.margin = limits_.margin;
     limits.deadline = limits_.deadline;
+    limits.for_all = limits_.for_all;
     limits.proof = limits_.proof;
     limits.pause = [&](std::int64_t nodes, double work) {
       if (is_improvement_due(work)) {
@@ -165,8 +168,7 @@ class Widening {
       cutoff_ = observer_.offer(point, packing);
       return std::min(cutoff_, target);
     };
-    const BranchAndCutResult found =
-        search_tree(within, circle, target, limits, offer, limits_.for_all);
+    const BranchAndCutResult found = search_tree(within, circle, target, limits, offer);
     if (limits_.proof != nullptr) limits_.proof->enter(component_);
     result_.nodes += found.nodes;
     last_tree_nodes_ = found.tree_nodes;

@@ -7,6 +7,7 @@
 
 #include "core/clock.hpp"
 #include "core/component.hpp"
+#include "core/for_all.hpp"
 #include "cutting/leaf_search.hpp"
 #include "cutting/master.hpp"
 #include "cutting/proof_log.hpp"
@@ -18,7 +19,7 @@ struct WideningLimits {
   double cutoff = kInfinity;  ///< only packings cheaper than this are looked for
   double margin = 0;          ///< BranchAndCutLimits::margin
   std::int64_t max_nodes = 0;
-  ForAll for_all;  ///< of large trees (cutting/tree_search.hpp)
+  core::ForAll for_all;  ///< of long searches and large trees (cutting/tree_search.hpp)
   core::Deadline deadline;
   /// Where to write down why the bound holds: all of it if no limit struck, else what the cuts of
   /// the whole component prove, without the circles.

@@ -135,7 +135,10 @@ struct Part::Run {
   bool is_done() const { return within >= reach; }
   bool is_stopped() const { return nodes >= most_nodes || limits.deadline.reached(); }
   bnb::SlackLimits limits_of(double max_work) const {
-    return {most_nodes - nodes, std::min(limits.max_work, max_work), limits.deadline};
+    bnb::SlackLimits left = limits;
+    left.max_nodes = most_nodes - nodes;
+    left.max_work = std::min(limits.max_work, max_work);
+    return left;
   }
 };
 

@@ -57,19 +57,19 @@ constexpr std::size_t kMostCoreArcs = 300000;
 
 void search_pool_of(const Component& core,
                     std::span<const double> u,
-                    double work,
-                    double goal,
+                    const CoreSearchOptions& options,
                     Packing& packing,
                     core::Random& random,
                     const core::Deadline& deadline) {
   const bnb::ComponentSlack slack = bnb::slack_of(core, u, kInfinity, deadline);
   if (deadline.reached()) return;
   const double base = std::accumulate(u.begin(), u.end(), 0.0);
-  PoolSearchOptions options;
-  options.max_work = work;
-  options.goal = goal - base;
-  options.deadline = deadline;
-  search_pool(slack.problem, packing.arcs, options, random);
+  PoolSearchOptions pool;
+  pool.max_work = options.neighbourhood_work;
+  pool.goal = options.goal - base;
+  pool.deadline = deadline;
+  pool.for_all = options.for_all;
+  search_pool(slack.problem, packing.arcs, pool, random);
   packing = core::make_packing(core, std::move(packing.arcs));
 }
 
@@ -125,8 +125,7 @@ Packing search_core(const Component& component,
       std::int64_t{options.kicks_per_index} * static_cast<std::int64_t>(size);
   LocalSearch(core, core_u, deadline).improve(packing, kicks, options.goal, random, deadline);
   if (options.neighbourhood_work > 0)
-    search_pool_of(
-        core, core_u, options.neighbourhood_work, options.goal, packing, random, deadline);
+    search_pool_of(core, core_u, options, packing, random, deadline);
   if (packing.cost >= start.cost) return start;
   packing.arcs = core::at_positions(arcs, packing.arcs);
   return packing;

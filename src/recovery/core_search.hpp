@@ -6,6 +6,7 @@
 
 #include "core/clock.hpp"
 #include "core/component.hpp"
+#include "core/for_all.hpp"
 #include "core/random.hpp"
 
 namespace nda::recovery {
@@ -17,6 +18,7 @@ struct CoreSearchOptions {
       50;  ///< random moves, times the indices (or arcs, if fewer); 0 = descent only
   double neighbourhood_work = 0;  ///< of search_pool() after that
   double goal = -kInfinity;       ///< a packing this cheap ends the search
+  core::ForAll for_all;           ///< of search_pool()
 };
 
 /// The core of a component: its arcs of reduced cost below `gap`, the cheapest arcs_per_index *

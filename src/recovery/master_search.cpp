@@ -59,6 +59,7 @@ core::Packing search_by_master(const core::Component& component,
   for (const core::Packing& other : others)
     pool.starts.push_back(core::positions_in(arcs, other.arcs));
   pool.deadline = deadline;
+  pool.for_all = options.for_all;
   std::vector<std::uint32_t> best = core::positions_in(arcs, start.arcs);
   search_pool(slack.problem(arcs), best, pool, random);
   core::Packing found = core::make_packing(component, core::at_positions(arcs, best));

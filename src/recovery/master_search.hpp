@@ -4,6 +4,7 @@
 
 #include "core/clock.hpp"
 #include "core/component.hpp"
+#include "core/for_all.hpp"
 #include "core/random.hpp"
 #include "cutting/master.hpp"
 
@@ -16,6 +17,7 @@ struct MasterSearchOptions {
   double least_round_work = 0;      ///< PoolSearchOptions
   double swap_work = 0;             ///< PoolSearchOptions
   double goal = -kInfinity;         ///< a packing this cheap ends the search
+  core::ForAll for_all;             ///< PoolSearchOptions
 };
 
 /// search_pool() by the multipliers of a solved master, those of its cuts included, among its live

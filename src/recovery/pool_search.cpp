@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <deque>
 #include <functional>
 #include <utility>
 
@@ -15,9 +16,9 @@
 // Construct, merge, solve (Blum et al. 2016).  Neighbourhood search alone ends in packings that no
 // neighbourhood it can see through improves.  Others that started elsewhere are stuck as well, but
 // in other places: the arcs of a dozen of them are a problem of a hundred or two, which is searched
-// exactly, and its best packing is better than them all. One round in four goes on from the best
-// packing.  The arcs that may come in are those of small reduced cost, more and fewer in turn: the
-// fewer, the larger the neighbourhoods.
+// exactly, and its best packing is better than them all. Rounds go on four at a time, one of them
+// from the best packing.  The arcs that may come in are those of small reduced cost, more and fewer
+// in turn: the fewer, the larger the neighbourhoods.
 
 namespace nda::recovery {
 namespace {
@@ -29,7 +30,7 @@ constexpr double kAnnealingShare = 2.0 / 3;  // there, of the work for swaps
 constexpr double kPopulations = 10;          // of annealed packings, one of them a tenth of that
 constexpr double kSupportShare = 0.1;        // of all work, for merging what the relaxed point uses
 constexpr std::size_t kPoolSize = 12;
-constexpr int kRoundsPerBest = 4;
+constexpr std::size_t kRoundsAtOnce = 4;  // the first of them goes on from the best packing
 constexpr double kBetter = 1e-9;
 constexpr double kNoise = 0.05;      // of the gap, in the order of greedy packings
 constexpr double kPriceShare = 0.1;  // an arc that covers dear indices comes earlier
@@ -48,7 +49,6 @@ class PoolSearch {
         options_(options),
         random_(random),
         state_(problem),
-        neighbourhoods_(problem),
         round_work_(std::max(options.least_round_work, kWorkPerIndex * problem.num_indices())) {
     state_.assign(best);
     best_slack_ = state_.slack();
@@ -58,22 +58,44 @@ class PoolSearch {
     if (problem_.num_arcs() == 0) return;
     merge(options_.support, kSupportShare * options_.max_work);
     if (options_.swap_work > 0 && !done()) swap();
-    for (int round = 0; !done(); ++round) {
-      const bool fresh = round % kRoundsPerBest != 0 || next_start_ < options_.starts.size();
-      Arcs packing = fresh ? construct() : best_;
-      NeighbourhoodSearch::Limits limits;
-      limits.max_work = std::min(round_work_, options_.max_work - work_);
-      limits.goal = options_.goal;
-      limits.most_reduced =
-          kMostReduced[static_cast<std::size_t>(round) % kMostReduced.size()] * best_slack_;
-      limits.deadline = options_.deadline;
-      work_ += neighbourhoods_.improve(packing, limits, random_) + problem_.num_rows();
-      keep(std::move(packing));
+    while (!done()) {
+      const double left = (options_.max_work - work_) / round_work_;
+      std::vector<Round> rounds;
+      const auto count = static_cast<std::size_t>(std::clamp(left, 1.0, double{kRoundsAtOnce}));
+      while (rounds.size() < count) rounds.push_back(next_round());
+      while (searches_.size() < rounds.size()) searches_.emplace_back(problem_);
+      options_.for_all(rounds.size(), [&](std::size_t r) {
+        Round& round = rounds[r];
+        round.work = searches_[r].improve(round.packing, round.limits, round.random);
+      });
+      for (Round& round : rounds) {
+        work_ += round.work + problem_.num_rows();
+        keep(std::move(round.packing));
+      }
       merge_pool();
     }
   }
 
  private:
+  struct Round {
+    Arcs packing;
+    NeighbourhoodSearch::Limits limits;
+    core::Random random;
+    double work = 0;
+  };
+
+  Round next_round() {
+    const bool fresh = round_ % kRoundsAtOnce != 0 || next_start_ < options_.starts.size();
+    Round round{fresh ? construct() : best_, {}, core::Random(random_())};
+    round.limits.max_work = std::min(round_work_, options_.max_work - work_);
+    round.limits.goal = options_.goal;
+    round.limits.most_reduced = kMostReduced[round_ % kMostReduced.size()] * best_slack_;
+    round.limits.deadline = options_.deadline;
+    round.limits.for_all = options_.for_all;
+    ++round_;
+    return round;
+  }
+
   void swap() {
     const Rivals rivals(problem_);
     work_ += rivals.work();
@@ -165,6 +187,7 @@ class PoolSearch {
     bnb::SlackLimits limits;
     limits.max_work = std::min({kMergeShare * round_work_, most_work, options_.max_work - work_});
     limits.deadline = options_.deadline;
+    limits.for_all = options_.for_all;
     const bnb::SlackResult result = bnb::search_slack(part, best_slack_ * (1 - kBetter), limits);
     work_ += result.work + part.num_rows();
     if (!(result.slack < best_slack_)) return;
@@ -179,10 +202,11 @@ class PoolSearch {
   const PoolSearchOptions& options_;
   core::Random& random_;
   SlackPacking state_;
-  NeighbourhoodSearch neighbourhoods_;
+  std::deque<NeighbourhoodSearch> searches_;  // of rounds at once
   const double round_work_;
   double best_slack_ = 0;
   double work_ = 0;
+  std::size_t round_ = 0;
   std::size_t next_start_ = 0;
   std::vector<Arcs> pool_;
   std::vector<double> greedy_key_;  // [arc], without chance

@@ -5,6 +5,7 @@
 
 #include "bnb/slack_search.hpp"
 #include "core/clock.hpp"
+#include "core/for_all.hpp"
 #include "core/random.hpp"
 
 namespace nda::recovery {
@@ -22,11 +23,13 @@ struct PoolSearchOptions {
   /// Packings to start from; after those, randomised greedy ones.
   std::vector<std::vector<std::uint32_t>> starts;
   core::Deadline deadline;
+  core::ForAll for_all;  ///< of neighbourhoods, and of the parts of long merges
 };
 
 /// Searches the packings of a slack problem, improving `best` (arcs of the problem, ascending) in
 /// place: constructs packings, improves each by neighbourhood search, and merges the last dozen of
-/// them exactly.  Deterministic for a given state of `random`.
+/// them exactly.  Deterministic for a given state of `random`, whatever `options.for_all` does at
+/// once.
 void search_pool(const bnb::SlackProblem& problem,
                  std::vector<std::uint32_t>& best,
                  const PoolSearchOptions& options,

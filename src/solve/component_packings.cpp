@@ -59,7 +59,8 @@ void ComponentSolver::improve(const Component& core,
   if (++improvements_ == 1) {
     if (searched_) return;
     search(0);
-    work = first_work();
+    search_by_master(core, live, point, {}, first_work(), 0);
+    work = 0;  // but for swaps, where that left the gap wide
   } else if (is_wide()) {
     const bool is_due = total >= next_wide_search_;
     if (is_due) {
@@ -69,7 +70,7 @@ void ComponentSolver::improve(const Component& core,
     work /= 1 + kSwapsPerWork;
     if (is_due) dives = dive(core, live, point, kDiveShare * work);
   }
-  search_by_master(core, live, point, dives, work);
+  search_by_master(core, live, point, dives, work, swap_work(work));
 }
 
 // Packings of the core from dives that take as long as `work`.
@@ -98,14 +99,16 @@ void ComponentSolver::search_by_master(const Component& core,
                                        std::span<const ArcId> live,
                                        const cutting::Master& point,
                                        const std::vector<Packing>& others,
-                                       double work) {
-  if (!may_search()) return;
+                                       double work,
+                                       double swap_work) {
+  if (!may_search() || work + swap_work <= 0) return;
   const Packing start{core::positions_in(live, state_.best.arcs), state_.best.cost};
   recovery::MasterSearchOptions search;
   search.least_round_work = others.empty() ? 0.0 : work / kWideRounds;
-  search.swap_work = swap_work(work);
+  search.swap_work = swap_work;
   search.max_work = work + search.swap_work;
   search.goal = search_goal();
+  search.for_all = for_all_;
   core::Random random(seed_ + static_cast<std::uint64_t>(improvements_));
   const Packing found =
       recovery::search_by_master(core, point, start, others, search, random, deadline_);
@@ -126,6 +129,7 @@ void ComponentSolver::search(double work) {
   search.kicks_per_index = searched_ ? 0 : options_.search.kicks_per_index;
   search.neighbourhood_work = work;
   search.goal = search_goal();
+  search.for_all = for_all_;
   core::Random random(seed_ + static_cast<std::uint64_t>(improvements_));
   searched_ = true;
   offer(recovery::search_core(component_,

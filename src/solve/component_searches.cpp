@@ -106,6 +106,7 @@ void ComponentSolver::search_nearly_free() {
   for (const double cost : component_.costs) largest = std::max(largest, std::abs(cost));
   bnb::SlackLimits limits;
   limits.deadline = deadline_;
+  limits.for_all = for_all_;
   limits.max_work = kFreeWork + kFreeWorkPerIndex * static_cast<double>(component_.num_indices());
   for (double budget = kFirstFree * largest; budget > 0 && !state_.complete; budget *= kWidenFree) {
     if (state_.certificate + budget >= cutoff()) return;

@@ -116,6 +116,9 @@ ComponentSolver::ComponentSolver(const Component& component,
       required_(std::move(required)),
       options_(options),
       deadline_(deadline),
+      for_all_([&options](std::size_t count, const std::function<void(std::size_t)>& work) {
+        pipeline::for_all(count, options.num_threads, [&](std::size_t i, std::size_t) { work(i); });
+      }),
       monitor_(monitor),
       precision_(precision_of(component, grid)),
       seed_(seed),
@@ -217,9 +220,7 @@ void ComponentSolver::branch_and_cut() {
   limits.margin = std::max(precision_.margin, allowed_gap_);
   const auto goal = [&] { return state_.best.cost - limits.margin; };
   limits.cutoff = goal();
-  limits.for_all = [&](std::size_t count, const std::function<void(std::size_t)>& work) {
-    pipeline::for_all(count, options_.num_threads, [&](std::size_t i, std::size_t) { work(i); });
-  };
+  limits.for_all = for_all_;
   limits.max_nodes = options_.branch.max_nodes - state_.nodes;
   limits.deadline = deadline_;
   limits.proof = proof_;

@@ -7,6 +7,7 @@
 #include "bnb/slack_search.hpp"
 #include "core/clock.hpp"
 #include "core/component.hpp"
+#include "core/for_all.hpp"
 #include "core/shift.hpp"
 #include "cutting/master.hpp"
 #include "cutting/proof_log.hpp"
@@ -118,7 +119,8 @@ class ComponentSolver {
                         std::span<const core::ArcId> live,
                         const cutting::Master& point,
                         const std::vector<core::Packing>& others,
-                        double work);
+                        double work,
+                        double swap_work);
   double swap_work(double work);
   void search(double work);
   bool is_wide() const;
@@ -143,6 +145,7 @@ class ComponentSolver {
   const std::vector<bool> required_;
   const Options& options_;
   const core::Deadline& deadline_;
+  const core::ForAll for_all_;
   Monitor& monitor_;
   const Precision precision_;
   static constexpr double kLeastSwapWork = 2e7;

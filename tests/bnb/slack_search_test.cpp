@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <thread>
 
 #include "core/random.hpp"
 #include "nda/proof.hpp"
@@ -19,6 +20,65 @@ SlackResult search(const SlackProblem& problem, double budget, double max_work =
   SlackLimits limits;
   limits.max_work = max_work;
   return search_slack(problem, budget, limits);
+}
+
+// Everyone shares after every node.
+constexpr SlackRounds kShareAtOnce = {0, 0};
+
+void backwards(std::size_t count, const std::function<void(std::size_t)>& work) {
+  for (std::size_t i = count; i-- > 0;) work(i);
+}
+
+void at_once(std::size_t count, const std::function<void(std::size_t)>& work) {
+  std::vector<std::jthread> threads;
+  for (std::size_t i = 0; i < count; ++i) threads.emplace_back([&work, i] { work(i); });
+}
+
+SlackResult search_shared(const SlackProblem& problem,
+                          double budget,
+                          const core::ForAll& for_all = {},
+                          double max_work = kInfinity,
+                          const SlackRounds& rounds = kShareAtOnce) {
+  SlackLimits limits;
+  limits.max_work = max_work;
+  limits.for_all = for_all;
+  return search_slack(problem, budget, limits, rounds);
+}
+
+// Arcs between neighbours at random, cuts over three indices in a row: enough for hundreds of
+// nodes.
+SlackProblem tangled_problem(core::Random& random) {
+  constexpr std::uint32_t kRows = 24;
+  constexpr int kArcs = 70;
+  SlackProblem problem(kRows);
+  for (std::uint32_t row = 0; row < kRows; ++row) problem.add_row(random.uniform(0, 1));
+  const auto first_of_cut = [](std::uint32_t cut) { return 3 * cut; };
+  constexpr std::uint32_t kCuts = kRows / 3;
+  for (std::uint32_t cut = 0; cut < kCuts; ++cut) problem.add_row(random.uniform(0, 0.5));
+  for (int a = 0; a < kArcs; ++a) {
+    const auto first = static_cast<std::uint32_t>(random.below(kRows));
+    std::vector<RowUse> uses = {{first, 1}};
+    for (const std::uint64_t step : {1 + random.below(3), 4 + random.below(3)}) {
+      if (first + step < kRows) uses.push_back({static_cast<std::uint32_t>(first + step), 1});
+    }
+    // Of arcs with two indices or more of three, one fits.
+    for (std::uint32_t cut = 0; cut < kCuts; ++cut) {
+      const auto in_cut = [&](const RowUse& use) {
+        return use.row < kRows && use.row - first_of_cut(cut) < 3;
+      };
+      if (std::count_if(uses.begin(), uses.end(), in_cut) >= 2) uses.push_back({kRows + cut, 1});
+    }
+    problem.add_arc(random.uniform(0, 0.6), uses);
+  }
+  return problem;
+}
+
+void expect_same(const SlackResult& one, const SlackResult& other) {
+  EXPECT_EQ(one.slack, other.slack);
+  EXPECT_EQ(one.arcs, other.arcs);
+  EXPECT_EQ(one.complete, other.complete);
+  EXPECT_EQ(one.nodes, other.nodes);
+  EXPECT_EQ(one.work, other.work);
 }
 
 void add_arc(SlackProblem& problem, double reduced, std::vector<RowUse> uses) {
@@ -106,6 +166,69 @@ TEST(SlackSearch, AgreesWithBruteForce) {
   EXPECT_GT(num_stopped, 1000);
 }
 
+TEST(SlackSearch, AgreesWithBruteForceWhenItIsShared) {
+  int num_stopped = 0;
+  for (std::uint64_t seed = 0; seed < 5000; ++seed) {
+    SCOPED_TRACE(seed);
+    core::Random random(seed);
+    const SlackProblem problem = support::random_slack_problem(random);
+    const double least = support::all_slacks(problem).front();
+    for (const double budget : {kInfinity, least + 0.1, least, 2.5, 100.0}) {
+      SCOPED_TRACE(budget);
+      const SlackResult result = search_shared(problem, budget);
+      ASSERT_TRUE(result.complete);
+      if (least < budget) {
+        ASSERT_NEAR(result.slack, least, 1e-9);
+      } else {
+        ASSERT_GE(result.slack, budget);
+      }
+      if (result.slack < kInfinity) {
+        ASSERT_NEAR(support::slack_of(problem, result.arcs), result.slack, 1e-9);
+      }
+    }
+    const SlackResult stopped =
+        search_shared(problem, kInfinity, {}, static_cast<double>(random.below(40)));
+    num_stopped += !stopped.complete;
+    if (stopped.slack < kInfinity) {
+      ASSERT_NEAR(support::slack_of(problem, stopped.arcs), stopped.slack, 1e-9);
+    }
+  }
+  EXPECT_GT(num_stopped, 1000);
+}
+
+TEST(SlackSearch, FindsTheSameAloneAndShared) {
+  std::int64_t nodes = 0;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE(seed);
+    core::Random random(seed);
+    const SlackProblem problem = tangled_problem(random);
+    const SlackResult alone = search(problem, kInfinity);
+    const SlackRounds rounds = {500, static_cast<double>(random.below(2000))};
+    const SlackResult shared = search_shared(problem, kInfinity, {}, kInfinity, rounds);
+    ASSERT_TRUE(shared.complete);
+    ASSERT_NEAR(shared.slack, alone.slack, 1e-9);
+    ASSERT_NEAR(support::slack_of(problem, shared.arcs), shared.slack, 1e-9);
+    nodes += alone.nodes;
+  }
+  EXPECT_GT(nodes, 300 * 50);
+}
+
+TEST(SlackSearch, DoesTheSameHoweverItsPartsAreDone) {
+  int num_stopped = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    core::Random random(seed);
+    const SlackProblem problem = tangled_problem(random);
+    const double max_work = seed % 2 == 0 ? kInfinity : 5000;
+    const SlackRounds rounds = {200, 400};
+    const SlackResult in_turn = search_shared(problem, kInfinity, {}, max_work, rounds);
+    for (const core::ForAll& for_all : {core::ForAll(backwards), core::ForAll(at_once)})
+      expect_same(in_turn, search_shared(problem, kInfinity, for_all, max_work, rounds));
+    num_stopped += !in_turn.complete;
+  }
+  EXPECT_GT(num_stopped, 5);
+}
+
 // So many odd cycles side by side, each with one arc too few: a product of searches without
 // division.
 TEST(SlackSearch, DividesWhatFallsApart) {
@@ -120,6 +243,10 @@ TEST(SlackSearch, DividesWhatFallsApart) {
   EXPECT_TRUE(result.complete);
   EXPECT_NEAR(result.slack, 0.5 * kCopies, 1e-9);
   EXPECT_LT(result.nodes, 20 * kCopies);
+  const SlackResult shared = search_shared(problem, kInfinity);
+  EXPECT_TRUE(shared.complete);
+  EXPECT_NEAR(shared.slack, result.slack, 1e-9);
+  EXPECT_LT(shared.nodes, 30 * kCopies);
 }
 
 // A ladder of arcs (i, i) and (i, i + 1): a branching on every rung.

@@ -67,7 +67,7 @@ TEST(Separator, StatesViolationsAsTheyAre) {
     Separator separator(component, point.arcs, point.x);
     std::vector<ViolatedCut> cuts = separator.three_rows(0.01, {});
     for (const Pattern& pattern : patterns()) {
-      const auto more = separator.search(pattern, {0.01, 1, 3}, random, kNever);
+      const auto more = separator.search(pattern, {0.01, 1, 3}, random(), kNever);
       cuts.insert(cuts.end(), more.begin(), more.end());
     }
     for (const ViolatedCut& cut : cuts) {

@@ -23,7 +23,7 @@ struct Outcome {
 
 // Branches with hardly any cuts, so that the tree has to do the work.
 Outcome search(const Component& component,
-               const ForAll& for_all,
+               const core::ForAll& for_all,
                std::int64_t max_nodes = 1000000,
                ProofLog* proof = nullptr) {
   Master master(component, all_arcs(component), no_multipliers(component));
@@ -39,7 +39,8 @@ Outcome search(const Component& component,
     if (packing != nullptr && packing->cost < outcome.best.cost) outcome.best = *packing;
     return outcome.best.cost - 1e-7;
   };
-  outcome.result = search_tree(component, master, 1e-6, limits, offer, for_all, kBreakOffAtOnce);
+  limits.for_all = for_all;
+  outcome.result = search_tree(component, master, 1e-6, limits, offer, kBreakOffAtOnce);
   return outcome;
 }
 
@@ -81,7 +82,7 @@ TEST(TreeSearch, DoesTheSameInWhateverOrderItsRoundsAreDone) {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     const Component component = fractional_component(seed);
     const Outcome one = search(component, {});
-    for (const ForAll& for_all : {ForAll(backwards), ForAll(at_once)}) {
+    for (const core::ForAll& for_all : {core::ForAll(backwards), core::ForAll(at_once)}) {
       const Outcome other = search(component, for_all);
       ASSERT_EQ(other.result.nodes, one.result.nodes) << "seed " << seed;
       ASSERT_EQ(other.result.lower, one.result.lower) << "seed " << seed;
@@ -108,7 +109,7 @@ TEST(TreeSearch, ItsProofIsThatOfOneTree) {
   for (std::uint64_t seed = 0; seed < 600; ++seed) {
     const Component component = fractional_component(seed);
     ProofLog log(component, std::vector<double>(component.num_slots(), 0.0), 1e-9);
-    const Outcome outcome = search(component, at_once, 1000000, &log);
+    const Outcome outcome = search(component, core::ForAll(at_once), 1000000, &log);
     const Problem problem = problem_of(component);
     Proof proof;
     proof.sizes.assign(problem.sizes().begin(), problem.sizes().end());

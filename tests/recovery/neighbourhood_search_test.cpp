@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <numeric>
+#include <thread>
 
 #include "bnb/component_slack.hpp"
 #include "recovery/greedy.hpp"
@@ -27,8 +28,10 @@ struct Neighbourhoods {
                       double work,
                       double goal,
                       Random& random,
-                      const core::Deadline& deadline) {
-    NeighbourhoodSearch(problem).improve(packing, {work, goal, kInfinity, deadline}, random);
+                      const core::Deadline& deadline,
+                      const core::ForAll& for_all) {
+    NeighbourhoodSearch(problem).improve(
+        packing, {work, goal, kInfinity, deadline, for_all}, random);
   }
 };
 
@@ -38,11 +41,13 @@ struct Pool {
                       double work,
                       double goal,
                       Random& random,
-                      const core::Deadline& deadline) {
+                      const core::Deadline& deadline,
+                      const core::ForAll& for_all) {
     PoolSearchOptions options;
     options.max_work = work;
     options.goal = goal;
     options.deadline = deadline;
+    options.for_all = for_all;
     search_pool(problem, packing, options, random);
   }
 };
@@ -53,7 +58,8 @@ Packing search(const Component& component,
                double work,
                double goal = -kInfinity,
                std::uint64_t seed = 1,
-               const core::Deadline& deadline = {}) {
+               const core::Deadline& deadline = {},
+               const core::ForAll& for_all = {}) {
   Random multipliers(seed);
   const std::vector<double> u = support::feasible_multipliers(component, multipliers);
   const bnb::ComponentSlack slack = bnb::slack_of(component, u, kInfinity);
@@ -64,7 +70,8 @@ Packing search(const Component& component,
                   work,
                   goal - std::accumulate(u.begin(), u.end(), 0.0),
                   random,
-                  deadline);
+                  deadline,
+                  for_all);
   return core::make_packing(component, packing.arcs);
 }
 
@@ -110,6 +117,26 @@ TYPED_TEST(SlackPackings, AreSearchedUpToTheGoal) {
 TYPED_TEST(SlackPackings, AreDeterministic) {
   const Component component = large_component(4);
   EXPECT_EQ(search<TypeParam>(component, {}, 1e6).arcs, search<TypeParam>(component, {}, 1e6).arcs);
+}
+
+void backwards(std::size_t count, const std::function<void(std::size_t)>& work) {
+  for (std::size_t i = count; i-- > 0;) work(i);
+}
+
+void at_once(std::size_t count, const std::function<void(std::size_t)>& work) {
+  std::vector<std::jthread> threads;
+  for (std::size_t i = 0; i < count; ++i) threads.emplace_back([&work, i] { work(i); });
+}
+
+TYPED_TEST(SlackPackings, AreTheSameHoweverTheyAreSearched) {
+  for (const std::uint64_t seed : {4, 5}) {
+    const Component component = large_component(seed);
+    const Packing in_turn = search<TypeParam>(component, {}, 1e6, -kInfinity, seed);
+    for (const core::ForAll& for_all : {core::ForAll(backwards), core::ForAll(at_once)}) {
+      const Packing other = search<TypeParam>(component, {}, 1e6, -kInfinity, seed, {}, for_all);
+      EXPECT_EQ(in_turn.arcs, other.arcs);
+    }
+  }
 }
 
 TYPED_TEST(SlackPackings, StopAtTheDeadline) {

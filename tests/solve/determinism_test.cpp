@@ -1,7 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "nda/check.hpp"
+#include "nda/io.hpp"
 #include "nda/solve.hpp"
 #include "solve/medium_problems.hpp"
 #include "support/matchers.hpp"
@@ -31,6 +34,12 @@ void expect_same(const Solution& one, const Solution& two) {
   EXPECT_EQ(one.stats.dual_evaluations, two.stats.dual_evaluations);
   EXPECT_EQ(one.stats.recoveries, two.stats.recoveries);
   EXPECT_EQ(one.stats.nodes, two.stats.nodes);
+}
+
+std::string proof_text(const Solution& solution) {
+  std::ostringstream text;
+  write_proof(*solution.proof, text);
+  return text.str();
 }
 
 Options with_threads(Options options, int num_threads) {
@@ -65,6 +74,33 @@ TEST(Determinism, ThreadsDoNotChangeTheAnswerOnRandomProblems) {
     expect_same(solve(random.problem), solve(random.problem, with_threads({}, 2)));
     if (HasFailure()) return;
   }
+}
+
+// One component each, with a gap: searches within the slack and neighbourhoods are shared out, and
+// the only work there is for a second thread is within the component.
+TEST(Determinism, ThreadsThatShareAComponentDoNotChangeTheAnswer) {
+  std::int64_t nodes = 0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE(seed);
+    PooreSparseOptions hard;
+    hard.min_size = hard.max_size = 14;
+    hard.arcs = 1200;
+    hard.seed = seed;
+    const Problem problem = generate_poore_sparse(hard).problem;
+    Options options;
+    options.branch.max_nodes = 60000;
+    options.proof = true;
+    const Solution single = solve(problem, options);
+    for (const int num_threads : {2, 3, 8}) {
+      SCOPED_TRACE(num_threads);
+      const Solution several = solve(problem, with_threads(options, num_threads));
+      expect_same(single, several);
+      EXPECT_EQ(proof_text(single), proof_text(several));
+    }
+    EXPECT_TRUE(check(problem, single, *single.proof).passed());
+    nodes += single.stats.nodes;
+  }
+  EXPECT_GT(nodes, 100000);
 }
 
 TEST(Determinism, SameSeedSameAnswer) {
