@@ -126,17 +126,18 @@ struct Part::Run {
   const bnb::SlackLimits& limits;
   Combinations& combinations;
   std::int64_t& nodes;
-  std::int64_t most_nodes;
+  std::int64_t nodes_before;  // its limit counts from here
   double work = 0;            // of all searches
   double work_at_nearby = 0;  // when it looked nearby last
   double within = -1;         // of the last search that was complete
   bool has_begun = false;     // with what is known
 
   bool is_done() const { return within >= reach; }
-  bool is_stopped() const { return nodes >= most_nodes || limits.deadline.reached(); }
+  std::int64_t nodes_left() const { return limits.max_nodes - (nodes - nodes_before); }
+  bool is_stopped() const { return nodes_left() <= 0 || limits.deadline.reached(); }
   bnb::SlackLimits limits_of(double max_work) const {
     bnb::SlackLimits left = limits;
-    left.max_nodes = most_nodes - nodes;
+    left.max_nodes = nodes_left();
     left.max_work = std::min(limits.max_work, max_work);
     return left;
   }
@@ -148,7 +149,7 @@ bool Part::rank(double reach,
                 Combinations& combinations,
                 std::int64_t& nodes) {
   if (is_ranked(reach, k)) return true;
-  Run run{reach, k, limits, combinations, nodes, nodes + limits.max_nodes};
+  Run run{reach, k, limits, combinations, nodes, nodes};
   // Where the best solution has more slack than there is reach, a tighter one pays soon.
   const auto num_arcs = static_cast<double>(component_.num_arcs());
   const double trial =
