@@ -136,7 +136,9 @@ TEST(SlackSearch, FillsACutWithSeveralArcs) {
   EXPECT_THAT(result.arcs, UnorderedElementsAre(0, 1));
 }
 
-TEST(SlackSearch, AgreesWithBruteForce) {
+// find(problem, budget, most work) of random problems, with budgets around the least slack.
+template <typename Search>
+void agrees_with_brute_force(Search&& find) {
   int num_stopped = 0;
   for (std::uint64_t seed = 0; seed < 5000; ++seed) {
     SCOPED_TRACE(seed);
@@ -145,7 +147,7 @@ TEST(SlackSearch, AgreesWithBruteForce) {
     const double least = support::all_slacks(problem).front();
     for (const double budget : {kInfinity, least + 0.1, least, 2.5, 100.0}) {
       SCOPED_TRACE(budget);
-      const SlackResult result = search(problem, budget);
+      const SlackResult result = find(problem, budget, kInfinity);
       ASSERT_TRUE(result.complete);
       // To the tolerance of the budget, a packing of exactly the budget may turn up.
       if (least < budget) {
@@ -157,7 +159,7 @@ TEST(SlackSearch, AgreesWithBruteForce) {
         ASSERT_NEAR(support::slack_of(problem, result.arcs), result.slack, 1e-9);
       }
     }
-    const SlackResult stopped = search(problem, kInfinity, static_cast<double>(random.below(40)));
+    const SlackResult stopped = find(problem, kInfinity, static_cast<double>(random.below(40)));
     num_stopped += !stopped.complete;
     if (stopped.slack < kInfinity) {
       ASSERT_NEAR(support::slack_of(problem, stopped.arcs), stopped.slack, 1e-9);
@@ -166,34 +168,16 @@ TEST(SlackSearch, AgreesWithBruteForce) {
   EXPECT_GT(num_stopped, 1000);
 }
 
+TEST(SlackSearch, AgreesWithBruteForce) {
+  agrees_with_brute_force([](const SlackProblem& problem, double budget, double max_work) {
+    return search(problem, budget, max_work);
+  });
+}
+
 TEST(SlackSearch, AgreesWithBruteForceWhenItIsShared) {
-  int num_stopped = 0;
-  for (std::uint64_t seed = 0; seed < 5000; ++seed) {
-    SCOPED_TRACE(seed);
-    core::Random random(seed);
-    const SlackProblem problem = support::random_slack_problem(random);
-    const double least = support::all_slacks(problem).front();
-    for (const double budget : {kInfinity, least + 0.1, least, 2.5, 100.0}) {
-      SCOPED_TRACE(budget);
-      const SlackResult result = search_shared(problem, budget);
-      ASSERT_TRUE(result.complete);
-      if (least < budget) {
-        ASSERT_NEAR(result.slack, least, 1e-9);
-      } else {
-        ASSERT_GE(result.slack, budget);
-      }
-      if (result.slack < kInfinity) {
-        ASSERT_NEAR(support::slack_of(problem, result.arcs), result.slack, 1e-9);
-      }
-    }
-    const SlackResult stopped =
-        search_shared(problem, kInfinity, {}, static_cast<double>(random.below(40)));
-    num_stopped += !stopped.complete;
-    if (stopped.slack < kInfinity) {
-      ASSERT_NEAR(support::slack_of(problem, stopped.arcs), stopped.slack, 1e-9);
-    }
-  }
-  EXPECT_GT(num_stopped, 1000);
+  agrees_with_brute_force([](const SlackProblem& problem, double budget, double max_work) {
+    return search_shared(problem, budget, {}, max_work);
+  });
 }
 
 TEST(SlackSearch, FindsTheSameAloneAndShared) {

@@ -10,6 +10,7 @@
 #include "bounded/separable_dual.hpp"
 #include "bounded_parts.hpp"
 #include "small_components.hpp"
+#include "support/evaluation.hpp"
 
 // The theorems of the report's sections 3 and 4 with bounds on uses, on ten thousand random
 // components of two to six dimensions, every number of kept dimensions.
@@ -19,6 +20,8 @@ namespace {
 
 using core::ArcId;
 using core::Random;
+using support::evaluate;
+using support::Evaluation;
 
 constexpr double kTie = 1e-8;
 constexpr std::uint64_t kComponents = 10000;
@@ -40,19 +43,6 @@ void solve_badly(const BoundedComponent& problem, KeptAnswer& answer) {
   Random random(problem.num_arcs());
   answer.u = random_multipliers(problem, random);
   answer.lower = lagrangian_bound(problem, answer.u);
-}
-
-struct Evaluation {
-  double value;
-  std::vector<double> subgradient;
-};
-
-// At multipliers by slot; those of kept dimensions are ignored.
-Evaluation evaluate(RelaxedDual& function, std::span<const double> u) {
-  Evaluation result;
-  result.subgradient.resize(function.num_variables());
-  result.value = function.evaluate(u.subspan(function.first_slot()), result.subgradient);
-  return result;
 }
 
 template <typename Check>

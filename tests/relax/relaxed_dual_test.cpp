@@ -11,6 +11,7 @@
 #include "relax/kept_dual.hpp"
 #include "relax/separable_dual.hpp"
 #include "support/components.hpp"
+#include "support/evaluation.hpp"
 #include "support/random_problems.hpp"
 
 // The theorems of the report's sections 3 and 4 on ten thousand random components of two to six
@@ -24,6 +25,8 @@ using core::ArcId;
 using core::Component;
 using core::Packing;
 using core::Random;
+using support::evaluate;
+using support::Evaluation;
 
 constexpr double kTie = 1e-9;
 constexpr std::uint64_t kComponents = 10000;
@@ -141,19 +144,6 @@ KeptSets keep(int num_kept, KeptSolver solve = solve_exactly) {
   kept.num_kept = num_kept;
   kept.solve = std::move(solve);
   return kept;
-}
-
-struct Evaluation {
-  double value;
-  std::vector<double> subgradient;
-};
-
-// At multipliers by slot; those of kept dimensions are ignored.
-Evaluation evaluate(RelaxedDual& function, std::span<const double> u) {
-  Evaluation result;
-  result.subgradient.resize(function.num_variables());
-  result.value = function.evaluate(u.subspan(function.first_slot()), result.subgradient);
-  return result;
 }
 
 template <typename Check>
