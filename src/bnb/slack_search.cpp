@@ -52,8 +52,9 @@ struct Searcher {
     if (!descent.is_done()) descent.lower(bound);
   }
 
-  // Goes on by so much.
+  // Goes on by so much.  A limit that struck while others were at work stops it at once.
   void run(double more_work, std::int64_t more_nodes) {
+    descent.moves().look_at_clock();
     const double max_work = descent.moves().work() + more_work;
     descent.moves().limit_nodes(descent.moves().nodes() + more_nodes);
     while (!is_idle()) {
