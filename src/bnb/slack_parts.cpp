@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/find_set.hpp"
+
 // Arcs are joined by the indices they share, whether these have a price or not, and by open cuts.
 
 namespace nda::bnb {
@@ -42,7 +44,7 @@ bool PartFinder::split(const std::vector<OpenArc>& arcs,
   }
   parts.row_part_.resize(rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i)
-    parts.row_part_[i] = rank_[label_[find(rows[i].row)]];
+    parts.row_part_[i] = rank_[label_[core::find_set(parent_, rows[i].row)]];
   return true;
 }
 
@@ -61,23 +63,18 @@ void PartFinder::join(const std::vector<OpenArc>& arcs, const std::vector<OpenRo
     std::uint32_t first = kNoPart;
     for (const RowUse use : problem_.uses(arc.arc)) {
       if (parent_[use.row] == kNoPart) continue;
-      const std::uint32_t root = find(use.row);
+      const std::uint32_t root = core::find_set(parent_, use.row);
       if (first == kNoPart) first = root;
       parent_[root] = first;
     }
   }
 }
 
-std::uint32_t PartFinder::find(std::uint32_t row) {
-  while (parent_[row] != row) row = parent_[row] = parent_[parent_[row]];
-  return row;
-}
-
 // Numbers the parts that have open rows.
 void PartFinder::label(const std::vector<OpenRow>& rows) {
   size_.clear();
   for (const OpenRow& row : rows) {
-    std::uint32_t& label = label_[find(row.row)];
+    std::uint32_t& label = label_[core::find_set(parent_, row.row)];
     if (label != kNoPart) continue;
     label = static_cast<std::uint32_t>(size_.size());
     size_.push_back(0);
@@ -86,7 +83,7 @@ void PartFinder::label(const std::vector<OpenRow>& rows) {
 
 std::uint32_t PartFinder::part_of(std::uint32_t arc) {
   for (const RowUse use : problem_.uses(arc)) {
-    if (parent_[use.row] != kNoPart) return label_[find(use.row)];
+    if (parent_[use.row] != kNoPart) return label_[core::find_set(parent_, use.row)];
   }
   return kNoPart;
 }

@@ -54,7 +54,6 @@ class PartFinder {
   bool split(const std::vector<OpenArc>& arcs, const std::vector<OpenRow>& rows, Parts& parts);
 
  private:
-  std::uint32_t find(std::uint32_t row);
   void join(const std::vector<OpenArc>& arcs, const std::vector<OpenRow>& rows);
   void label(const std::vector<OpenRow>& rows);
   std::uint32_t part_of(std::uint32_t arc);

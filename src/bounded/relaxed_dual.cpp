@@ -87,10 +87,9 @@ double RelaxedDual::kept_cost(std::span<const ArcId> arcs) const {
 // kept indices have uses and cell (0 .. 0) arcs; the sum itself by an ulp of the sizes of its terms
 // for each.
 double RelaxedDual::bound() const {
-  double largest = 0;
+  const double largest = core::largest_cost(component_.graph);
   double size = std::abs(value_) + std::abs(kept_gap_);
   double terms = static_cast<double>(component_.rows.size() + r_.size());
-  for (const double cost : component_.graph.costs) largest = std::max(largest, std::abs(cost));
   double largest_u = 0;
   for (std::size_t slot = 0; slot < slot_u_.size(); ++slot) {
     const Row& row = component_.rows[slot];

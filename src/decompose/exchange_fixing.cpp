@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "core/find_set.hpp"
+
 // Why it is right: take a packing P of least cost, E its excluded arcs, T the places that these
 // touch.  Every other arc of P lies within one place.  Put the best packing's arcs of T in the
 // place of what P has there.  Outside of T nothing changes; within, P lost at least sum r over E,
@@ -97,10 +99,7 @@ class Places {
     std::uint32_t offset;
   };
 
-  std::uint32_t find(std::uint32_t slot) {
-    while (parent_[slot] != slot) slot = parent_[slot] = parent_[parent_[slot]];
-    return slot;
-  }
+  std::uint32_t find(std::uint32_t slot) { return core::find_set(parent_, slot); }
   std::uint32_t first_slot(ArcId a) const {
     auto column = columns_.begin();
     while (column->index[a] == 0) ++column;

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/find_set.hpp"
+
 namespace nda::recovery {
 
 using core::ArcId;
@@ -13,18 +15,15 @@ using core::Packing;
 Packing combine(const core::Component& component, const Packing& first, const Packing& second) {
   std::vector<std::uint32_t> parent(component.num_slots());
   std::iota(parent.begin(), parent.end(), 0u);
-  const auto find = [&](std::uint32_t slot) {
-    while (parent[slot] != slot) slot = parent[slot] = parent[parent[slot]];
-    return slot;
-  };
   const auto cluster = [&](ArcId a) {
     std::uint32_t slot = 0;
     core::for_each_slot(component, a, [&](std::uint32_t s) { slot = s; });
-    return find(slot);
+    return core::find_set(parent, slot);
   };
   for (const Packing* packing : {&first, &second}) {
     for (const ArcId a : packing->arcs)
-      core::for_each_slot(component, a, [&](std::uint32_t s) { parent[find(s)] = cluster(a); });
+      core::for_each_slot(
+          component, a, [&](std::uint32_t s) { parent[core::find_set(parent, s)] = cluster(a); });
   }
   std::vector<double> saved(component.num_slots(), 0.0);
   for (const ArcId a : first.arcs) saved[cluster(a)] += component.costs[a];

@@ -13,8 +13,21 @@ namespace nda::recovery {
 
 using core::ArcId;
 
+namespace {
+
 // Values below are rounding errors of the linear program.
 constexpr double kNothing = 1e-6;
+
+// What saves anything and still fits, in this order.
+core::Packing take(const core::Component& component, std::span<const ArcId> order) {
+  PackingState state(component);
+  for (const ArcId a : order) {
+    if (component.costs[a] < 0 && state.fits(a)) state.insert(a);
+  }
+  return state.packing();
+}
+
+}  // namespace
 
 core::Packing greedy(const core::Component& component,
                      std::span<const double> key,
@@ -23,11 +36,7 @@ core::Packing greedy(const core::Component& component,
   std::iota(order.begin(), order.end(), 0u);
   const auto before = [&](ArcId a, ArcId b) { return key[a] != key[b] ? key[a] < key[b] : a < b; };
   if (!core::sort_until(deadline, order, before)) return {};
-  PackingState state(component);
-  for (const ArcId a : order) {
-    if (component.costs[a] < 0 && state.fits(a)) state.insert(a);
-  }
-  return state.packing();
+  return take(component, order);
 }
 
 core::Packing greedy(const core::Component& component,
@@ -38,11 +47,7 @@ core::Packing greedy(const core::Component& component,
   std::sort(order.begin(), order.end(), [&](std::uint32_t m, std::uint32_t n) {
     return key[m] != key[n] ? key[m] < key[n] : m < n;
   });
-  PackingState state(component);
-  for (const std::uint32_t n : order) {
-    if (component.costs[arcs[n]] < 0 && state.fits(arcs[n])) state.insert(arcs[n]);
-  }
-  return state.packing();
+  return take(component, core::at_positions(arcs, order));
 }
 
 core::Packing dual_greedy(const core::Component& component,
@@ -50,9 +55,7 @@ core::Packing dual_greedy(const core::Component& component,
                           const core::Deadline& deadline) {
   std::vector<double> key(component.num_arcs());
   core::reduced_costs(component, u, 0, key);
-  // Among arcs of equal reduced cost (the multipliers make thousands of zeros) the cheaper one
-  // first.
-  for (ArcId a = 0; a < key.size(); ++a) key[a] += 1e-6 * component.costs[a];
+  for (ArcId a = 0; a < key.size(); ++a) key[a] += kTieBreak * component.costs[a];
   return greedy(component, key, deadline);
 }
 

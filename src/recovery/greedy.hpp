@@ -21,6 +21,10 @@ core::Packing greedy(const core::Component& component,
                      std::span<const core::ArcId> arcs,
                      std::span<const double> key);
 
+/// Of a cost, added to a reduced cost that is a key: of equal reduced costs (multipliers make
+/// thousands of zeros) the cheaper arc comes first.
+inline constexpr double kTieBreak = 1e-6;
+
 /// Dual-guided greedy: key[a] = c'[a] - sum of u over its slots.
 core::Packing dual_greedy(const core::Component& component,
                           std::span<const double> u,

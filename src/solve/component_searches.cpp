@@ -42,6 +42,12 @@ constexpr std::size_t kGapArcsPerIndex = 4;
 constexpr std::size_t kMostNearArcs = 10000;
 constexpr double kFreeWorkPerIndex = 50;
 
+bnb::SlackLimits short_search() {
+  bnb::SlackLimits limits;
+  limits.max_work = kGapWork;
+  return limits;
+}
+
 }  // namespace
 
 // A few sweeps of coordinate ascent leave little between the multipliers and the packing that they
@@ -63,7 +69,7 @@ void ComponentSolver::enumerate() {
 
 void ComponentSolver::ascend() {
   relax::Ascent ascent(component_, core::all_arcs(component_), state_.u);
-  for (int sweep = 0; sweep < kSweeps && !deadline_.reached(); ++sweep) ascent.sweep();
+  ascent.climb(kSweeps, 0, deadline_);
   std::vector<double> u = ascent.u();
   const double certificate = relax::make_feasible(component_, u, deadline_);
   accept_multipliers(std::move(u), certificate, "enumeration");
@@ -102,8 +108,7 @@ void ComponentSolver::settle_best() {
 void ComponentSolver::search_nearly_free() {
   // A better packing leaves less to look for, only better multipliers leave more.
   if (std::exchange(searched_free_at_, state_.certificate) == state_.certificate) return;
-  double largest = 0;
-  for (const double cost : component_.costs) largest = std::max(largest, std::abs(cost));
+  const double largest = core::largest_cost(component_);
   bnb::SlackLimits limits;
   limits.deadline = deadline_;
   limits.for_all = for_all_;
@@ -131,9 +136,7 @@ void ComponentSolver::search_nearly_free() {
 void ComponentSolver::search_near_hint() {
   if (component_.num_arcs() > kGapArcsPerIndex * component_.num_indices()) return;
   state_.method = "slack search";
-  bnb::SlackLimits limits;
-  limits.max_work = kGapWork;
-  search_gap(limits, "slack search");
+  search_gap(short_search(), "slack search");
 }
 
 // The multipliers of the relaxation guide to a packing that often leaves little to search, which
@@ -143,9 +146,7 @@ void ComponentSolver::search_near_multipliers() {
   state_.method = "slack search";
   offer(recovery::dual_greedy(component_, state_.u, deadline_), "greedy");
   if (close_enough()) return;
-  bnb::SlackLimits limits;
-  limits.max_work = kGapWork;
-  search_gap(limits, "slack search");
+  search_gap(short_search(), "slack search");
 }
 
 // Good multipliers and a good packing leave little between them: all of it is searched.  The best

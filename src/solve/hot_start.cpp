@@ -34,8 +34,6 @@ using core::Packing;
 constexpr std::size_t kActivePerIndex = 3;
 constexpr std::size_t kNearPerIndex = 1;
 constexpr std::size_t kSample = 250;
-// Of equal reduced costs (multipliers make thousands of zeros) the cheaper arc first.
-constexpr double kTieBreak = 1e-6;
 // Ascent ends after so many sweeps, or when no multiplier moves by this share of the largest cost.
 constexpr int kSweeps = 10;
 constexpr double kLeastMove = 1e-3;
@@ -214,7 +212,7 @@ class Search {
   void follow_prices(std::span<const ArcId> arcs) {
     std::vector<double> key;
     for (const ArcId a : arcs)
-      key.push_back(prices_.reduced_costs()[a] + kTieBreak * component_.costs[a]);
+      key.push_back(prices_.reduced_costs()[a] + recovery::kTieBreak * component_.costs[a]);
     offer(recovery::greedy(component_, arcs, key));
   }
 
