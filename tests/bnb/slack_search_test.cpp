@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <thread>
 
 #include "core/random.hpp"
 #include "nda/proof.hpp"
+#include "support/other_orders.hpp"
 #include "support/slack_problems.hpp"
 
 namespace nda::bnb {
@@ -24,15 +24,6 @@ SlackResult search(const SlackProblem& problem, double budget, double max_work =
 
 // Everyone shares after every node.
 constexpr SlackRounds kShareAtOnce = {0, 0};
-
-void backwards(std::size_t count, const std::function<void(std::size_t)>& work) {
-  for (std::size_t i = count; i-- > 0;) work(i);
-}
-
-void at_once(std::size_t count, const std::function<void(std::size_t)>& work) {
-  std::vector<std::jthread> threads;
-  for (std::size_t i = 0; i < count; ++i) threads.emplace_back([&work, i] { work(i); });
-}
 
 SlackResult search_shared(const SlackProblem& problem,
                           double budget,
@@ -206,7 +197,8 @@ TEST(SlackSearch, DoesTheSameHoweverItsPartsAreDone) {
     const double max_work = seed % 2 == 0 ? kInfinity : 5000;
     const SlackRounds rounds = {200, 400};
     const SlackResult in_turn = search_shared(problem, kInfinity, {}, max_work, rounds);
-    for (const core::ForAll& for_all : {core::ForAll(backwards), core::ForAll(at_once)})
+    for (const core::ForAll& for_all :
+         {core::ForAll(support::backwards), core::ForAll(support::at_once)})
       expect_same(in_turn, search_shared(problem, kInfinity, for_all, max_work, rounds));
     num_stopped += !in_turn.complete;
   }

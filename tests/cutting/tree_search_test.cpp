@@ -2,10 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <thread>
-
 #include "cutting/cutting_support.hpp"
 #include "nda/proof.hpp"
+#include "support/other_orders.hpp"
 
 namespace nda::cutting {
 namespace {
@@ -44,15 +43,6 @@ Outcome search(const Component& component,
   return outcome;
 }
 
-void backwards(std::size_t count, const std::function<void(std::size_t)>& work) {
-  for (std::size_t i = count; i-- > 0;) work(i);
-}
-
-void at_once(std::size_t count, const std::function<void(std::size_t)>& work) {
-  std::vector<std::jthread> threads;
-  for (std::size_t i = 0; i < count; ++i) threads.emplace_back([&work, i] { work(i); });
-}
-
 // The component as a problem whose singletons are free.
 Problem problem_of(const Component& component) {
   ProblemBuilder builder(component.sizes);
@@ -82,7 +72,8 @@ TEST(TreeSearch, DoesTheSameInWhateverOrderItsRoundsAreDone) {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     const Component component = fractional_component(seed);
     const Outcome one = search(component, {});
-    for (const core::ForAll& for_all : {core::ForAll(backwards), core::ForAll(at_once)}) {
+    for (const core::ForAll& for_all :
+         {core::ForAll(support::backwards), core::ForAll(support::at_once)}) {
       const Outcome other = search(component, for_all);
       ASSERT_EQ(other.result.nodes, one.result.nodes) << "seed " << seed;
       ASSERT_EQ(other.result.lower, one.result.lower) << "seed " << seed;
@@ -109,7 +100,7 @@ TEST(TreeSearch, ItsProofIsThatOfOneTree) {
   for (std::uint64_t seed = 0; seed < 600; ++seed) {
     const Component component = fractional_component(seed);
     ProofLog log(component, std::vector<double>(component.num_slots(), 0.0), 1e-9);
-    const Outcome outcome = search(component, core::ForAll(at_once), 1000000, &log);
+    const Outcome outcome = search(component, core::ForAll(support::at_once), 1000000, &log);
     const Problem problem = problem_of(component);
     Proof proof;
     proof.sizes.assign(problem.sizes().begin(), problem.sizes().end());

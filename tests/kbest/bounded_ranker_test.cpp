@@ -5,6 +5,7 @@
 #include <set>
 #include <vector>
 
+#include "cost_checks.hpp"
 #include "nda/check.hpp"
 #include "nda/k_best.hpp"
 #include "nda/solve.hpp"
@@ -18,13 +19,12 @@ namespace {
 
 using support::BoundedKind;
 using ::testing::DoubleNear;
-using ::testing::IsEmpty;
 using ::testing::Pointwise;
 
 constexpr double kTie = 1e-8;
 
 // Of all choices that are solutions, ascending.
-std::vector<double> all_costs(const Problem& problem) {
+std::vector<double> costs_of_all_choices(const Problem& problem) {
   std::vector<double> costs;
   std::vector<std::size_t> arcs;
   for (std::uint64_t subset = 0; subset < std::uint64_t{1} << problem.num_arcs(); ++subset) {
@@ -37,21 +37,6 @@ std::vector<double> all_costs(const Problem& problem) {
   }
   std::sort(costs.begin(), costs.end());
   return costs;
-}
-
-std::vector<double> costs_of(const std::vector<RankedSolution>& solutions) {
-  std::vector<double> costs;
-  for (const RankedSolution& ranked : solutions) costs.push_back(ranked.cost);
-  return costs;
-}
-
-void expect_sound(const Problem& problem, const Solution& solution) {
-  EXPECT_THAT(check(problem, solution).faults, IsEmpty());
-  std::set<std::vector<std::vector<Index>>> different;
-  for (std::size_t r = 0; r < solution.solutions.size(); ++r) {
-    EXPECT_EQ(solution.solutions[r].rank, static_cast<int>(r) + 1);
-    EXPECT_TRUE(different.insert(solution.solutions[r].arcs).second) << "rank " << r + 1;
-  }
 }
 
 Problem small_problem(std::uint64_t seed) {
@@ -69,7 +54,7 @@ TEST(BoundedKBest, AgreesWithAllSubsets) {
   for (std::uint64_t seed = 0; seed < 1000; ++seed) {
     SCOPED_TRACE(seed);
     const Problem problem = small_problem(seed);
-    const std::vector<double> all = all_costs(problem);
+    const std::vector<double> all = costs_of_all_choices(problem);
     if (all.empty()) {
       EXPECT_EQ(solve_k_best(problem, 3).status, Status::kInfeasible);
       continue;
@@ -95,7 +80,7 @@ TEST(BoundedKBest, HandsOutOneAfterTheOther) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE(seed);
     const Problem problem = small_problem(seed);
-    const std::vector<double> all = all_costs(problem);
+    const std::vector<double> all = costs_of_all_choices(problem);
     Ranking ranking(problem);
     std::vector<RankedSolution> given;
     for (RankedSolution next; ranking.next(next);) given.push_back(next);
@@ -117,7 +102,7 @@ TEST(BoundedKBest, ProvesNothingWrongAtALimitOfNodes) {
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     SCOPED_TRACE(seed);
     const Problem problem = small_problem(seed);
-    const std::vector<double> all = all_costs(problem);
+    const std::vector<double> all = costs_of_all_choices(problem);
     if (all.empty()) continue;
     for (const std::int64_t nodes : {0, 1, 3, 10}) {
       Options options;

@@ -1,15 +1,19 @@
 #pragma once
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <vector>
 
+#include "nda/check.hpp"
 #include "nda/problem.hpp"
+#include "nda/solution.hpp"
 #include "support/brute_force.hpp"
 
 namespace nda {
@@ -43,6 +47,23 @@ inline void expect_costs(const Problem& problem,
   const double tolerance = cost_tolerance(problem);
   for (std::size_t r = 0; r < costs.size(); ++r)
     EXPECT_NEAR(costs[r], all[r], tolerance) << "rank " << r + 1;
+}
+
+/// Of every rank.
+inline std::vector<double> costs_of(const std::vector<RankedSolution>& solutions) {
+  std::vector<double> costs;
+  for (const RankedSolution& ranked : solutions) costs.push_back(ranked.cost);
+  return costs;
+}
+
+/// All are solutions, numbered, and different.
+inline void expect_sound(const Problem& problem, const Solution& solution) {
+  EXPECT_THAT(check(problem, solution).faults, ::testing::IsEmpty());
+  std::set<std::vector<std::vector<Index>>> different;
+  for (std::size_t r = 0; r < solution.solutions.size(); ++r) {
+    EXPECT_EQ(solution.solutions[r].rank, static_cast<int>(r) + 1);
+    EXPECT_TRUE(different.insert(solution.solutions[r].arcs).second) << "rank " << r + 1;
+  }
 }
 
 }  // namespace nda

@@ -3,12 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <numeric>
-#include <thread>
 
 #include "bnb/component_slack.hpp"
 #include "recovery/greedy.hpp"
 #include "recovery/pool_search.hpp"
 #include "support/components.hpp"
+#include "support/other_orders.hpp"
 
 namespace nda::recovery {
 namespace {
@@ -119,20 +119,12 @@ TYPED_TEST(SlackPackings, AreDeterministic) {
   EXPECT_EQ(search<TypeParam>(component, {}, 1e6).arcs, search<TypeParam>(component, {}, 1e6).arcs);
 }
 
-void backwards(std::size_t count, const std::function<void(std::size_t)>& work) {
-  for (std::size_t i = count; i-- > 0;) work(i);
-}
-
-void at_once(std::size_t count, const std::function<void(std::size_t)>& work) {
-  std::vector<std::jthread> threads;
-  for (std::size_t i = 0; i < count; ++i) threads.emplace_back([&work, i] { work(i); });
-}
-
 TYPED_TEST(SlackPackings, AreTheSameHoweverTheyAreSearched) {
   for (const std::uint64_t seed : {4, 5}) {
     const Component component = large_component(seed);
     const Packing in_turn = search<TypeParam>(component, {}, 1e6, -kInfinity, seed);
-    for (const core::ForAll& for_all : {core::ForAll(backwards), core::ForAll(at_once)}) {
+    for (const core::ForAll& for_all :
+         {core::ForAll(support::backwards), core::ForAll(support::at_once)}) {
       const Packing other = search<TypeParam>(component, {}, 1e6, -kInfinity, seed, {}, for_all);
       EXPECT_EQ(in_turn.arcs, other.arcs);
     }
