@@ -108,6 +108,9 @@ struct RankingOptions {
   RankingMethod method = RankingMethod::kExact;
   /// Of partial branch and bound: alignments followed at each stage; in [1, 10000].
   int branches = 4;
+  /// Of partial branch and bound: improve what it finds in a component by local search, with
+  /// search.kicks_per_index, and list both; ten times the time, worth it where steps are few.
+  bool local_search = false;
 };
 
 /// Branch and bound.

@@ -271,6 +271,11 @@ void add_ranking(std::vector<OptionRow>& rows) {
       [](auto& options) -> auto& { return options.ranking.branches; },
       {1, kMostBranches},
       "of partial branch and bound: alignments followed at each stage"));
+  rows.push_back(choice<bool>(
+      "ranking.local_search",
+      [](auto& options) -> auto& { return options.ranking.local_search; },
+      {"false", "true"},
+      "of partial branch and bound: improve what it finds by local search"));
 }
 
 }  // namespace

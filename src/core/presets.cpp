@@ -43,6 +43,7 @@ void exact(Options& options) {
 void relaxation_alone(Options& options) {
   options.method = Method::kRelaxation;
   options.search = {Reductions::kNone, false, 0};
+  options.ranking.local_search = false;
   RelaxationOptions& relaxation = options.relaxation;
   relaxation.two_first = false;
   relaxation.set_order = relaxation.recovery_order = SetOrder::kAsGiven;
@@ -93,7 +94,7 @@ void partial_bnb(Options& options) {
   poore_1995(options);
   options.relaxation.alignment = AlignmentRule::kLeastViolation;
   options.relaxation.inner_evaluations = kInnerSteps;
-  options.ranking = {RankingMethod::kAlignments, kBranchesOfThePaper};
+  options.ranking = {RankingMethod::kAlignments, kBranchesOfThePaper, false};
 }
 
 void murty_bnb(Options& options) {

@@ -1,11 +1,14 @@
 #include "kbest/near_optimal.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "core/clock.hpp"
 #include "core/component.hpp"
+#include "core/random.hpp"
 #include "core/shift.hpp"
 #include "decompose/components.hpp"
 #include "kbest/packing_buffer.hpp"
@@ -13,6 +16,7 @@
 #include "kbest/partial_branch_and_bound.hpp"
 #include "kbest/ranking_progress.hpp"
 #include "kbest/ranks.hpp"
+#include "recovery/core_search.hpp"
 #include "solve/solutions.hpp"
 #include "solve/supervision.hpp"
 
@@ -62,8 +66,10 @@ class NearOptimal {
     const double before = first.cost;
     buffer.add(std::move(first));
     PartialBranchAndBound search(options_, k_, deadline_);
-    for (Packing& packing : search.rank(component, multipliers(component)))
-      buffer.add(std::move(packing));
+    const std::vector<double> u = multipliers(component);
+    std::vector<Packing> found = search.rank(component, u);
+    if (options_.ranking.local_search) improve(component, u, found, buffer);
+    for (Packing& packing : found) buffer.add(std::move(packing));
     solution_.stats.dual_evaluations += search.work().evaluations;
     solution_.stats.recoveries += search.work().leaves;
     solution_.stats.nodes += search.work().branches;
@@ -74,6 +80,21 @@ class NearOptimal {
       for (ArcId& a : packing.arcs) a = component.arc_origin[a];
     }
     return packings;
+  }
+
+  // Adds what local search makes of each packing.
+  void improve(const Component& component,
+               std::span<const double> u,
+               std::span<const Packing> packings,
+               PackingBuffer& buffer) const {
+    recovery::CoreSearchOptions options;
+    options.kicks_per_index = options_.search.kicks_per_index;
+    core::Random random(options_.seed);
+    const double lower = std::accumulate(u.begin(), u.end(), 0.0);
+    for (const Packing& packing : packings) {
+      buffer.add(recovery::search_core(
+          component, u, packing.cost - lower, packing, options, random, deadline_));
+    }
   }
 
   // What the solution has of a component, and notes that it was searched.

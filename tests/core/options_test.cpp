@@ -153,7 +153,8 @@ constexpr std::pair<const char*, const char*> kPapers[] = {
      "relaxation.recovery_evaluations=10 relaxation.recovery_interval=1000000 "
      "relaxation.relative_tolerance=1e-07 relaxation.alignment=best_value "
      "relaxation.inner_evaluations=0 search.reductions=none search.local_search=false "
-     "search.kicks_per_index=0 ranking.method=exact ranking.branches=4 "},
+     "search.kicks_per_index=0 ranking.method=exact ranking.branches=4 "
+     "ranking.local_search=false "},
     {"deb-1992",
      "method=relaxation relaxation.kept_sets=64 relaxation.kept_exact_arcs=0 "
      "relaxation.kept_nodes=0 relaxation.kept_evaluations=2 relaxation.two_first=false "
@@ -164,7 +165,8 @@ constexpr std::pair<const char*, const char*> kPapers[] = {
      "relaxation.recovery_interval=1 relaxation.relative_tolerance=1e-07 "
      "relaxation.alignment=best_value relaxation.inner_evaluations=0 "
      "search.reductions=none search.local_search=false search.kicks_per_index=0 "
-     "ranking.method=exact ranking.branches=4 "},
+     "ranking.method=exact ranking.branches=4 "
+     "ranking.local_search=false "},
     {"poore-1995",
      "method=relaxation relaxation.kept_sets=2 relaxation.kept_exact_arcs=2000 "
      "relaxation.kept_nodes=100000 relaxation.kept_evaluations=20 "
@@ -175,7 +177,8 @@ constexpr std::pair<const char*, const char*> kPapers[] = {
      "relaxation.recovery_evaluations=10 relaxation.recovery_interval=1000000 "
      "relaxation.relative_tolerance=1e-07 relaxation.alignment=best_value "
      "relaxation.inner_evaluations=0 search.reductions=none search.local_search=false "
-     "search.kicks_per_index=0 ranking.method=exact ranking.branches=4 "},
+     "search.kicks_per_index=0 ranking.method=exact ranking.branches=4 "
+     "ranking.local_search=false "},
     {"partial-bnb",
      "method=relaxation relaxation.kept_sets=2 relaxation.kept_exact_arcs=2000 "
      "relaxation.kept_nodes=100000 relaxation.kept_evaluations=20 "
@@ -186,7 +189,8 @@ constexpr std::pair<const char*, const char*> kPapers[] = {
      "relaxation.recovery_evaluations=10 relaxation.recovery_interval=1000000 "
      "relaxation.relative_tolerance=1e-07 relaxation.alignment=least_violation "
      "relaxation.inner_evaluations=10 search.reductions=none search.local_search=false "
-     "search.kicks_per_index=0 ranking.method=alignments ranking.branches=4 "},
+     "search.kicks_per_index=0 ranking.method=alignments ranking.branches=4 "
+     "ranking.local_search=false "},
     {"murty-bnb",
      "method=relaxation relaxation.kept_sets=2 relaxation.kept_exact_arcs=2000 "
      "relaxation.kept_nodes=100000 relaxation.kept_evaluations=20 "
@@ -197,7 +201,8 @@ constexpr std::pair<const char*, const char*> kPapers[] = {
      "relaxation.recovery_evaluations=10 relaxation.recovery_interval=1000000 "
      "relaxation.relative_tolerance=1e-07 relaxation.alignment=least_violation "
      "relaxation.inner_evaluations=10 search.reductions=none search.local_search=false "
-     "search.kicks_per_index=0 ranking.method=murty ranking.branches=4 "},
+     "search.kicks_per_index=0 ranking.method=murty ranking.branches=4 "
+     "ranking.local_search=false "},
 };
 
 std::string settings(const Options& options) {

@@ -56,6 +56,7 @@ TEST_P(PartialRanking, IsSoundAndNoWorseThanPlainRelaxation) {
     SCOPED_TRACE(random.description);
     Options options = near_optimal(GetParam());
     options.ranking.branches = 1 + static_cast<int>(seed % 4);
+    options.ranking.local_search = seed % 3 == 0;
     const Solution plain = solve(random.problem, options);
     const Solution solution = solve_k_best(random.problem, 6, options);
     EXPECT_THAT(check(random.problem, solution).faults, IsEmpty());
@@ -97,6 +98,28 @@ TEST_P(PartialRanking, GainsByBranches) {
     more += solve_k_best(problem, 5, options).cost;
   }
   EXPECT_LT(more, few);
+}
+
+// Local search lists what it was given, too.
+TEST_P(PartialRanking, GainsByLocalSearch) {
+  double without = 0, with = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    support::RandomProblemOptions random;
+    random.sizes = {8, 8, 8, 8};
+    random.num_arcs = 400;
+    const Problem problem = support::random_problem(seed, random);
+    Options options = near_optimal(GetParam());
+    const Solution found = solve_k_best(problem, 5, options);
+    options.ranking.local_search = true;
+    const Solution improved = solve_k_best(problem, 5, options);
+    ASSERT_LE(improved.solutions.size(), 5u);
+    ASSERT_GE(improved.solutions.size(), found.solutions.size());
+    for (std::size_t r = 0; r < found.solutions.size(); ++r)
+      EXPECT_LE(improved.solutions[r].cost, found.solutions[r].cost);
+    without += found.cost;
+    with += improved.cost;
+  }
+  EXPECT_LT(with, without);
 }
 
 TEST_P(PartialRanking, StopsWhenAsked) {
