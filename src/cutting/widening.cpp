@@ -18,10 +18,11 @@ using core::ArcId;
 constexpr double kFirstReach = 0.25;              // of the gap
 constexpr double kFirstReachWithoutCuts = 0.125;  // circles that end are all that raises the bound
 constexpr double kLeastLeft = 0.05;               // of the gap, beyond a circle
-// Cuts that close less than this part of the gap are not worth looking harder for, nor looking for
-// at every node: they close a tenth where many arcs fight for few indices, nine tenths where
-// targets move side by side.
+// Cuts that close less than this part of the gap are not worth looking harder for, nor, where it is
+// less than the other, looking for at every node: they close a tenth where many arcs fight for few
+// indices, nine tenths where targets move side by side.
 constexpr double kWorthwhile = 0.3;
+constexpr double kWorthwhileAtNodes = 0.65;
 constexpr double kWidenAtOnce = 4;  // where packings seem to be as good as they get
 constexpr double kWidenFast = 2;
 constexpr double kWidenSlowly = 1.5;
@@ -150,7 +151,7 @@ class Widening {
     limits.max_nodes = limits_.max_nodes - result_.nodes;
     limits.root_patterns = kAllPatterns;
     limits.thorough = cuts_pay();
-    if (!limits.thorough) limits.node_patterns = 0;
+    if (closed_by_cuts() < kWorthwhileAtNodes) limits.node_patterns = 0;
     limits.margin = limits_.margin;
     limits.deadline = limits_.deadline;
     limits.for_all = limits_.for_all;
@@ -203,7 +204,8 @@ class Widening {
     const double gap = before - master_.lower();
     if (first_gap_ == kInfinity) first_gap_ = gap;
     const double open = std::min(1.0, kOpen * gap / first_gap_);
-    cutoff_ = observer_.improve(master_, open * primal_share_ * new_work, bound_work_);
+    cutoff_ = observer_.improve(
+        master_, {open * primal_share_ * new_work, bound_work_, primal_share_ > kLeastPrimalShare});
     own_work_ -= work(running) - now;  // pivots of dives
     primal_share_ =
         cutoff_ < before ? kPrimalShare : std::max(kLeastPrimalShare, primal_share_ / 2);
@@ -222,9 +224,11 @@ class Widening {
     return kWidenSlowly;
   }
 
-  bool cuts_pay() const {
-    const double closed = master_.lower() - lower_without_cuts_;
-    return closed >= kWorthwhile * (cutoff_ - lower_without_cuts_);
+  bool cuts_pay() const { return closed_by_cuts() >= kWorthwhile; }
+
+  // A share of the gap.
+  double closed_by_cuts() const {
+    return (master_.lower() - lower_without_cuts_) / (cutoff_ - lower_without_cuts_);
   }
 
   // For bounds.

@@ -26,6 +26,13 @@ struct WideningLimits {
   ProofLog* proof = nullptr;
 };
 
+/// What may go into better packings.
+struct PrimalBudget {
+  double work = 0;       ///< (bnb::SlackLimits) a share of that for the bound since the last call
+  double total = 0;      ///< for the bound in all
+  bool fruitful = true;  ///< one of the last calls found a better one
+};
+
 /// What the search tells the layers above while it works.
 struct WideningObserver {
   /// A packing (arcs of the component), or null and a relaxed point to make one of.  Returns the
@@ -35,9 +42,8 @@ struct WideningObserver {
   std::function<void(const Master& point)> relaxed;
   /// A chance to look for better packings: when the first rounds of cuts and searches by their
   /// multipliers did not end it, when more rounds did not, after every circle, and within those
-  /// that take long.  `work` (bnb::SlackLimits) is a share of what was done since the last call,
-  /// `total` what was done for the bound in all.  Returns the cutoff from now on.
-  std::function<double(Master& point, double work, double total)> improve;
+  /// that take long.  Returns the cutoff from now on.
+  std::function<double(Master& point, const PrimalBudget& budget)> improve;
   /// No packing is cheaper than `lower`.
   std::function<void(double lower)> raise;
 };

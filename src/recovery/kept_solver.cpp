@@ -137,7 +137,7 @@ class KeptSearch {
       const double lower = relax::make_feasible(problem_, u, deadline_);
       adopt(std::move(u), lower);
     };
-    observer.improve = [&](cutting::Master&, double, double) { return cutoff(); };
+    observer.improve = [&](cutting::Master&, const cutting::PrimalBudget&) { return cutoff(); };
     observer.raise = [&](double lower) { raise(std::min(lower, cutoff())); };
     const std::vector<double> u = core::restrict_slots(problem_, answer_.u, core);
     answer_.nodes += cutting::search_widening(core, u, limits, observer).nodes;

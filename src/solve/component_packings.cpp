@@ -29,6 +29,10 @@ constexpr double kWideWorkPerPair = 3000;
 constexpr double kMostWideWork = 2e9;
 constexpr double kWideGap = 0.01;
 constexpr double kWideRounds = 16;
+// For the bound: what took so much already may take long; if short searches find nothing any more,
+// only what took much more.
+constexpr double kHardWork = 1.5e8;
+constexpr double kLongWork = 6e8;
 constexpr double kDiveShare = 0.1;   // of that work
 constexpr double kSwapsPerWork = 3;  // beside other work, where the gap is wide
 
@@ -53,8 +57,8 @@ bool ComponentSolver::may_search() const {
 void ComponentSolver::improve(const Component& core,
                               std::span<const ArcId> live,
                               cutting::Master& point,
-                              double work,
-                              double total) {
+                              const cutting::PrimalBudget& budget) {
+  double work = budget.work;
   std::vector<Packing> dives;
   if (++improvements_ == 1) {
     if (searched_) return;
@@ -62,10 +66,11 @@ void ComponentSolver::improve(const Component& core,
     search_by_master(core, live, point, {}, first_work(), 0);
     work = 0;  // but for swaps, where that left the gap wide
   } else if (is_wide()) {
-    const bool is_due = total >= next_wide_search_;
+    const double first = budget.fruitful ? kHardWork : kLongWork;
+    const bool is_due = budget.total >= (next_wide_search_ > 0 ? next_wide_search_ : first);
     if (is_due) {
-      next_wide_search_ = 2 * total;
-      work = std::min(total, wide_work());
+      next_wide_search_ = 2 * budget.total;
+      work = std::min(budget.total, wide_work());
     }
     work /= 1 + kSwapsPerWork;
     if (is_due) dives = dive(core, live, point, kDiveShare * work);

@@ -238,8 +238,8 @@ void ComponentSolver::branch_and_cut() {
     return goal();
   };
   observer.relaxed = [&](const cutting::Master& point) { adopt_multipliers(core, point.u()); };
-  observer.improve = [&](cutting::Master& point, double work, double total) {
-    improve(core, live, point, work, total);
+  observer.improve = [&](cutting::Master& point, const cutting::PrimalBudget& budget) {
+    improve(core, live, point, budget);
     return goal();
   };
   observer.raise = [&](double lower) { raise_bound(std::min(lower, goal()), "cuts"); };

@@ -11,6 +11,7 @@
 #include "core/shift.hpp"
 #include "cutting/master.hpp"
 #include "cutting/proof_log.hpp"
+#include "cutting/widening.hpp"
 #include "nda/options.hpp"
 #include "nda/solution.hpp"
 #include "relax/lagrangian.hpp"
@@ -109,8 +110,7 @@ class ComponentSolver {
   void improve(const core::Component& core,
                std::span<const core::ArcId> live,
                cutting::Master& point,
-               double work,
-               double total);
+               const cutting::PrimalBudget& budget);
   std::vector<core::Packing> dive(const core::Component& core,
                                   std::span<const core::ArcId> live,
                                   cutting::Master& point,
@@ -150,8 +150,6 @@ class ComponentSolver {
   const Precision precision_;
   static constexpr double kLeastSwapWork = 2e7;
   static constexpr double kLeastSwapWorkPerArc = 2e4;
-  // For the bound: what took it already may take long.
-  static constexpr double kHardWork = 1.5e8;
 
   const std::uint64_t seed_;
   cutting::ProofLog* const proof_;
@@ -161,7 +159,7 @@ class ComponentSolver {
   bool searched_cliques_ = false;  // to the end
   bool searched_ = false;
   double searched_free_at_ = -kInfinity;  // the certificate then
-  double next_wide_search_ = kHardWork;
+  double next_wide_search_ = 0;           // 0 = there was none yet
   int improvements_ = 0;
   const double least_swap_work_ =
       std::min(kLeastSwapWork, kLeastSwapWorkPerArc* static_cast<double>(component_.num_arcs()));

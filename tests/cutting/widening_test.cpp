@@ -39,7 +39,7 @@ Outcome search(const Component& component, double cutoff, std::int64_t max_nodes
     return outcome.best.cost - 1e-7;
   };
   observer.relaxed = [&](const Master& point) { EXPECT_TRUE(point.cuts().empty()); };
-  observer.improve = [&](const Master&, double, double) { return outcome.best.cost - 1e-7; };
+  observer.improve = [&](const Master&, const PrimalBudget&) { return outcome.best.cost - 1e-7; };
   observer.raise = [&](double lower) {
     EXPECT_GT(lower, outcome.last_bound);
     outcome.last_bound = lower;
