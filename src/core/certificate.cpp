@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/certificate_sum.hpp"
+#include "core/min_max.hpp"
 #include "nda/check.hpp"
 
 // The certificate is a sum in double-double, rounded downwards by a bound on all its rounding
@@ -51,25 +52,39 @@ class ReducedCosts {
       table_[k].push_back(0.0);
       table_[k].insert(table_[k].end(), multipliers[k].begin(), multipliers[k].end());
       multipliers_[k] = table_[k].data();
+      double most = 0;
+      for (const double u : multipliers[k]) most = core::max_of(most, std::abs(u));
+      most_size_ += most;
     }
   }
 
-  // In plain arithmetic, whose n rounding errors are below `size` 2^-53 each.
-  bool surely_positive(std::size_t a) const {
-    double value = costs_[a];
-    double size = std::abs(value);
-    for (std::size_t k = 0; k < num_; ++k) {
-      const double u = multiplier(k, a);
-      value -= u;
-      size += std::abs(u);
-    }
-    return value > size * static_cast<double>(num_ + 1) * 0x1p-51;
+  // Adds the negative ones of the arcs first, first + 1, ..., kMost of them at most.
+  void add_negative_to(core::CertificateSum& sum, std::size_t first, std::size_t count) {
+    find_doubtful(first, count);
+    if (count_ > 0) add_negative_to(sum);
   }
 
-  void put(std::size_t a) { arcs_[count_++] = a; }
-  bool full() const { return count_ == kMost; }
+ private:
+  double multiplier(std::size_t k, std::size_t a) const { return multipliers_[k][columns_[k][a]]; }
 
-  // Adds the negative ones of the arcs that were put, and forgets all of them.
+  // Those that plain arithmetic does not see to be positive, whose n rounding errors are below
+  // 2^-53 times the sum of all terms in size each.
+  void find_doubtful(std::size_t first, std::size_t count) {
+    std::copy_n(costs_ + first, count, high_.begin());
+    for (std::size_t k = 0; k + 1 < num_; k += 2) {  // two at a time: half the stores
+      for (std::size_t n = 0; n < count; ++n)
+        high_[n] -= multiplier(k, first + n) + multiplier(k + 1, first + n);
+    }
+    for (std::size_t n = 0; n < count && num_ % 2 == 1; ++n)
+      high_[n] -= multiplier(num_ - 1, first + n);
+    const double share = static_cast<double>(num_ + 1) * 0x1p-51;
+    count_ = 0;
+    for (std::size_t n = 0; n < count; ++n) {  // without a jump
+      arcs_[count_] = first + n;
+      count_ += !(high_[n] > share * (std::abs(costs_[first + n]) + most_size_));
+    }
+  }
+
   void add_negative_to(core::CertificateSum& sum) {
     for (std::size_t n = 0; n < count_; ++n) {
       high_[n] = costs_[arcs_[n]];
@@ -85,11 +100,7 @@ class ReducedCosts {
       sum.add(n, low_[n]);
       sum.enlarge(size_[n]);
     }
-    count_ = 0;
   }
-
- private:
-  double multiplier(std::size_t k, std::size_t a) const { return multipliers_[k][columns_[k][a]]; }
 
   // DoubleDouble::add for all at once.
   void subtract_multipliers(std::size_t k) {
@@ -111,8 +122,9 @@ class ReducedCosts {
   std::array<const Index*, kMaxDimensions> columns_{};
   std::array<const double*, kMaxDimensions> multipliers_{};  // by index, 0 for the dummy
   std::array<std::vector<double>, kMaxDimensions> table_;
+  double most_size_ = 0;  // of the multipliers of one arc, added up
   std::size_t count_ = 0;
-  std::array<std::size_t, kMost> arcs_;
+  std::array<std::size_t, kMost> arcs_;  // that many, which may be negative
   std::array<double, kMost> high_;
   std::array<double, kMost> low_;
   std::array<double, kMost> size_;
@@ -143,11 +155,8 @@ double certificate_bound(const Problem& problem,
     }
   }
   ReducedCosts reduced(problem, multipliers);
-  for (std::size_t a = 0; a < problem.num_arcs(); ++a) {
-    if (!reduced.surely_positive(a)) reduced.put(a);
-    if (reduced.full()) reduced.add_negative_to(sum);
-  }
-  reduced.add_negative_to(sum);
+  for (std::size_t a = 0; a < problem.num_arcs(); a += ReducedCosts::kMost)
+    reduced.add_negative_to(sum, a, std::min(ReducedCosts::kMost, problem.num_arcs() - a));
   return sum.rounded_down(
       static_cast<double>(problem.num_arcs() * (n + 2) + 2 * problem.num_indices() + 6));
 }

@@ -1,52 +1,59 @@
 #include "solve/costs.hpp"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <span>
 
 #include "core/double_double.hpp"
+#include "core/min_max.hpp"
 #include "nda/check.hpp"
 #include "solve/solutions.hpp"
 
 namespace nda::pipeline {
 namespace {
 
-// Calls note(|c|) for all arcs and finite singletons.
-template <typename Note>
-void for_each_cost(const Problem& problem, Note&& note) {
-  for (const double cost : problem.costs()) note(std::abs(cost));
+// Combines `start` with the costs of all arcs and the finite ones of all singletons, in an order of
+// its own: in lanes that need not wait for each other.
+template <typename Combine>
+double combine_costs(const Problem& problem, double start, Combine&& combine) {
+  std::array<double, 4> lanes;
+  lanes.fill(start);
+  const std::span<const double> costs = problem.costs();
+  const std::size_t whole = costs.size() - costs.size() % lanes.size();
+  for (std::size_t a = 0; a < whole; a += lanes.size()) {
+    for (std::size_t lane = 0; lane < lanes.size(); ++lane)
+      lanes[lane] = combine(lanes[lane], costs[a + lane]);
+  }
+  double result = start;
+  for (const double cost : costs.subspan(whole)) result = combine(result, cost);
   for (int k = 0; k < problem.num_dimensions(); ++k) {
     for (const double cost : problem.singleton_costs(k)) {
-      if (cost < kInfinity) note(std::abs(cost));
+      if (cost < kInfinity) result = combine(result, cost);
     }
   }
+  for (const double lane : lanes) result = combine(result, lane);
+  return result;
 }
 
 }  // namespace
 
 double largest_cost(const Problem& problem) {
-  double largest = 0;
-  for_each_cost(problem, [&](double size) { largest = std::max(largest, size); });
-  return largest;
+  return combine_costs(
+      problem, 0, [](double most, double cost) { return core::max_of(most, std::abs(cost)); });
 }
 
 double smallest_cost(const Problem& problem) {
-  double least = kInfinity;
-  for_each_cost(problem, [&](double size) {
-    if (size > 0) least = std::min(least, size);
+  const double found = combine_costs(problem, kInfinity, [](double least, double cost) {
+    const double size = std::abs(cost);
+    return size > 0 ? core::min_of(least, size) : least;
   });
-  return least < kInfinity ? least : 0;
+  return found < kInfinity ? found : 0;
 }
 
 // The absolute costs of either sum up to at most its cost, and twice its negative costs.
 double off_grid(const Problem& problem, double cost) {
-  double most_negative = 0;
-  const auto note = [&](double c) { most_negative = std::min(most_negative, c); };
-  std::for_each(problem.costs().begin(), problem.costs().end(), note);
-  for (int k = 0; k < problem.num_dimensions(); ++k) {
-    const auto singletons = problem.singleton_costs(k);
-    std::for_each(singletons.begin(), singletons.end(), note);
-  }
+  const double most_negative = combine_costs(problem, 0, core::min_of);
   const double negative = -static_cast<double>(problem.num_indices()) * most_negative;
   return 0x1p-52 * (2 * std::abs(cost) + 4 * negative);
 }

@@ -88,6 +88,9 @@ class Pipeline {
     grid_ = core::find_grid(problem_, deadline_);
     if (modest_ && pipeline::hides_digits(problem_, shift_, grid_))
       shift_ = core::make_shift(problem_, deadline_, pipeline::modest_penalty(problem_));
+    for (const std::vector<double>& row : shift_.base) {
+      for (const double charge : row) constant_.add(charge);
+    }
     if (may_start_hot()) hot_ = pipeline::make_hot_start(problem_, shift_, grid_, warm_, deadline_);
     partition_ = hot_ ? decompose::partition(hot_->open, deadline_)
                       : decompose::partition(problem_, shift_, deadline_);
@@ -231,10 +234,7 @@ class Pipeline {
 
   // Constant plus the sum of one figure over all components.
   double total(double (*figure)(const ComponentState&)) const {
-    core::DoubleDouble sum;
-    for (const std::vector<double>& row : shift_.base) {
-      for (const double charge : row) sum.add(charge);
-    }
+    core::DoubleDouble sum = constant_;
     if (hot_) sum.add(hot_->settled_cost);
     for (const Part& part : parts_) sum.add(figure(part.state()));
     return sum.high();
@@ -457,6 +457,7 @@ class Pipeline {
   const core::Deadline& deadline_ = supervision_.deadline();
   Monitor& monitor_ = supervision_.monitor();
   core::Shift shift_;
+  core::DoubleDouble constant_;  // of it, the sum of all base
   core::CostGrid grid_;
   std::optional<pipeline::HotStart> hot_;
   decompose::Partition partition_;  // of what the hot start leaves open, or else of all
