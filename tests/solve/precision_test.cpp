@@ -33,6 +33,21 @@ TEST(Precision, ErrorGrowsWithCostsAndIndices) {
   EXPECT_EQ(fine.margin, fine.error) << "a grid finer than the rounding is none";
 }
 
+// Costs of a step each, from coarse to finer than a double holds: what is taken for a grid, the
+// checker must take for one, too.
+TEST(Precision, KnowsTheGridsOfTheChecker) {
+  core::Random random(1);
+  Options options;
+  options.proof = true;
+  for (int n = 0; n < 2000; ++n) {
+    const double size = std::pow(10.0, random.uniform(-3, 9));
+    const Problem problem = make_problem({1, 2}, {{{1, 2}, size}});
+    const Solution solution = solve(problem, options);
+    ASSERT_TRUE(solution.proof) << size;
+    EXPECT_EQ(check_proof(problem, *solution.proof).fault, "") << size;
+  }
+}
+
 // 3 x 3 x 3, only full tuples; singletons of 2 s, -s and -s cancel in every solution, so that the
 // costs of the arcs alone decide.
 Problem cancelling_problem(std::uint64_t seed, double s) {
