@@ -34,8 +34,8 @@ struct CheckReport {
   bool passed() const { return faults.empty(); }
 };
 
-/// Checks a solution with code of its own: shares nothing with the solver but the two types.
-/// O(A N).  Never throws on a wrong solution.
+/// Checks a solution with code of its own: shares nothing with the solver but the two types, the
+/// arithmetic of sums and certificate_bound().  O(A N).  Never throws on a wrong solution.
 ///
 /// A claim that can be denied is a fault: optimal or proven where the bound does not meet the cost
 /// to 1e-9 of the costs chosen, one of the two without the other, infeasible with a solution or

@@ -100,12 +100,11 @@ struct ProofReport {
   bool passed() const { return fault.empty(); }
 };
 
-/// Follows a proof with code of its own, which shares the two types with the solver and nothing
-/// else.  Sums are kept in double-double and rounded downwards, so that no rounding is on the
-/// proof's side.  Never throws on a wrong proof.  Of a problem with bounds on uses there is none: a
-/// fault.
-/// Cost: O(A N + cuts) for every step; a kSearch or kCliques takes what it takes, within a limit of
-/// work.
+/// Follows a proof with code of its own, which shares the two types and the arithmetic of sums with
+/// the solver and nothing else.  Sums are kept in double-double and rounded downwards, so that no
+/// rounding is on the proof's side.  Never throws on a wrong proof.  Of a problem with bounds on
+/// uses there is none: a fault. Cost: O(A N + cuts) for every step; a kSearch or kCliques takes
+/// what it takes, within a limit of work.
 ProofReport check_proof(const Problem& problem, const Proof& proof);
 
 }  // namespace nda

@@ -2,10 +2,13 @@
 #include <iostream>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "cli/checks.hpp"
 #include "cli/commands.hpp"
+#include "cli/print.hpp"
+#include "core/clock.hpp"
 #include "nda/check.hpp"
 #include "nda/io.hpp"
 
@@ -37,9 +40,11 @@ const char* bound_verdict(const Solution& solution, const CheckReport& report) {
 int check_files(const CheckArguments& arguments) {
   const Problem problem = read_problem(arguments.problem);
   const Solution solution = read_solution(arguments.solution);
-  const CheckReport report = arguments.proof.empty()
-                                 ? check(problem, solution)
-                                 : check(problem, solution, read_proof(arguments.proof));
+  const std::optional<Proof> proof =
+      arguments.proof.empty() ? std::nullopt : std::optional(read_proof(arguments.proof));
+  const core::Stopwatch checking;
+  const CheckReport report = proof ? check(problem, solution, *proof) : check(problem, solution);
+  const double seconds = checking.seconds();
   std::cout << std::setprecision(std::numeric_limits<double>::max_digits10)
             << "feasible            " << verdict(solution, report.feasible) << '\n'
             << "cost right          " << verdict(solution, report.cost_right) << '\n'
@@ -49,7 +54,8 @@ int check_files(const CheckArguments& arguments) {
                     : "")
             << "cost                " << report.cost << '\n'
             << "certificate bound   " << report.certificate_bound << '\n';
-  if (!arguments.proof.empty()) std::cout << "proof's bound       " << report.proof_bound << '\n';
+  if (proof) std::cout << "proof's bound       " << report.proof_bound << '\n';
+  print("time                %.6f s checking, without reading\n", seconds);
   for (const std::string& fault : report.faults) std::cout << "fault: " << fault << '\n';
   std::cout << (report.passed() ? "passed\n" : "FAILED\n");
   return report.passed() ? kAnswer : kNoAnswer;

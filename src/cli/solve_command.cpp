@@ -115,6 +115,9 @@ void print_reductions(const Solution& solution) {
   line(yield.single, "single choices", yield.unprofitable);
   line(yield.dominated, "dominated arcs", 0);
   line(yield.sides, "sides that hung on one index", yield.side_arcs);
+  print("fixing        left %zu of %zu arcs, all of a component that ended without it\n",
+        solution.stats.arcs_after_fixing,
+        solution.stats.arcs_after_shift);
 }
 
 void print_bound(const Solution& solution) {
@@ -231,6 +234,33 @@ WarmStart read_warm_start(const SolveArguments& arguments) {
   return warm_start;
 }
 
+// An old proof beside a new solution would be taken for its own.
+void say_no_proof(const std::string& file) {
+  const bool had_one = std::filesystem::is_regular_file(file) && std::filesystem::remove(file);
+  std::cerr << "nda: " << file << ": not written, there is no proof"
+            << (had_one ? "; the old one is removed\n" : "\n");
+}
+
+// Something proved more than the multipliers, and does not write down how (docs/proofs.md).
+bool proves_in_silence(const Solution& solution, const Options& options) {
+  const auto branched = [](const ComponentReport& report) {
+    return report.proven && report.method == "branch and bound";
+  };
+  return solution.stats.bound_by_branching &&
+         (options.relaxation.kept_sets > 2 ||
+          std::any_of(solution.components.begin(), solution.components.end(), branched));
+}
+
+void save_proof(const Solution& solution, const Options& options, const std::string& file) {
+  if (!solution.proof) return say_no_proof(file);
+  write_proof(*solution.proof, file);
+  if (proves_in_silence(solution, options)) {
+    std::cerr << "nda: " << file
+              << ": may show less than the lower bound: branching on indices and relaxations of "
+                 "three sets are not written down\n";
+  }
+}
+
 int solve_file(const SolveArguments& arguments) {
   Options options = make_options(arguments);
   require_good_output(arguments.output, arguments.file);
@@ -250,6 +280,7 @@ int solve_file(const SolveArguments& arguments) {
     if (!arguments.quiet && !json) log(progress);
     return interrupted == 0;
   };
+  if (!arguments.proof.empty() && problem.is_many_to_one()) say_no_proof(arguments.proof);
   std::signal(SIGINT, on_interrupt);
   Solution solution = solve_problem(problem, arguments, warm_start, options);
   solution.stats.read_seconds = read_seconds;
@@ -261,12 +292,7 @@ int solve_file(const SolveArguments& arguments) {
   }
   if (!arguments.save_warm_start.empty())
     write_warm_start(nda::warm_start(solution), arguments.save_warm_start);
-  if (!arguments.proof.empty()) {
-    if (solution.proof)
-      write_proof(*solution.proof, arguments.proof);
-    else
-      std::cerr << "nda: " << arguments.proof << ": not written, there is no proof\n";
-  }
+  if (!arguments.proof.empty()) save_proof(solution, options, arguments.proof);
   if (json) {
     std::cout << solution_to_json(solution);
   } else {
@@ -389,7 +415,8 @@ Action declare_solve(CLI::App& parser) {
       .add_option(
           "--proof",
           arguments->proof,
-          "write why the bound holds, for nda check --proof; compressed where the name ends in .gz")
+          "write why the bound holds, for nda check --proof; compressed where the name ends in "
+          ".gz; what --method exact branches on is not in it")
       ->check(file_name());
   parser.add_flag("--json", arguments->json, "print the JSON alone");
   parser
@@ -397,7 +424,7 @@ Action declare_solve(CLI::App& parser) {
       ->check(at_least(0));
   parser.add_flag("--quiet,-q", arguments->quiet, "no solver log");
   parser.add_flag(
-      "--verbose,-v", arguments->verbose, "one line per component, and what each reduction did");
+      "--verbose,-v", arguments->verbose, "one line per component, and what reductions settled");
   parser.footer(
       "The log on standard error shows time, cost of the best assignment, lower bound and gap;\n"
       "what the multipliers prove of the bound, its certificate, is verified by `nda check`; the\n"

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "cli/program.hpp"
 
 namespace nda::cli {
@@ -9,6 +11,7 @@ namespace {
 using io::TemporaryFolder;
 using io::write_file;
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 // Two arcs that exclude each other: the optimum takes the cheaper one, and the multipliers
 // u[1][1] = -3, all others 0, prove it: -3 + min(0, -3 + 3) + min(0, -2 + 3) + singletons 0.
@@ -90,6 +93,7 @@ TEST(CheckCommand, FollowsAProof) {
   EXPECT_EQ(right.code, 0) << right.output;
   EXPECT_THAT(right.output, HasSubstr("bound right         yes\n"));
   EXPECT_THAT(right.output, HasSubstr("proof's bound       -1.25"));
+  EXPECT_THAT(right.output, HasSubstr(" s checking, without reading\npassed\n"));
 
   write_file(folder / "bad.proof",
              "p nda-proof 3 1 1 1 3 0 1\npart 3 1 1 1 2 1 3 1\nbound 0 0\nend 0\n");
@@ -105,6 +109,45 @@ TEST(CheckCommand, FollowsAProof) {
   write_file(folder / "cut.proof", "p nda-proof 3 1 1 1 3 0 1\npart 3 1 1 1 2 1 3 1\n");
   EXPECT_THAT(run(folder, "nda check a.nda a.json --proof cut.proof").log,
               HasSubstr("nda: cut.proof: line 3: expected a step"));
+}
+
+// An old proof would be taken for that of the new solution.
+TEST(CheckCommand, FindsNoOldProofWhereThereIsNoNewOne) {
+  const TemporaryFolder folder;
+  const struct {
+    const char* problem;
+    int code;
+  } kCases[] = {
+      {"p nda 2 2 1 4\na 1 1 1\na 2 1 1\na 1 0 inf\na 2 0 inf\n", 1},  // infeasible
+      {"p nda 2 1 1 1\na 1 1 -1e300\n", 0},                            // precision lost
+      {"p nda 2 2 1 2\nb 2 1 0 2\na 1 1 -3\na 2 1 -1\n", 2},           // bounds on uses
+  };
+  for (const auto& has_none : kCases) {
+    SCOPED_TRACE(has_none.problem);
+    write_file(folder / "a.nda", has_none.problem);
+    write_file(folder / "a.proof", "of something else");
+    const std::string solve = "nda solve a.nda -q --proof a.proof";
+    const std::string none = "nda: a.proof: not written, there is no proof";
+    const Outcome first = run(folder, solve);
+    EXPECT_EQ(first.code, has_none.code) << first.log;
+    EXPECT_THAT(first.log, StartsWith(none + "; the old one is removed\n"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.proof"));
+    EXPECT_THAT(run(folder, solve).log, StartsWith(none + "\n"));
+  }
+}
+
+// Lagrangian branch and bound is not written down, branch and cut is.
+TEST(CheckCommand, FindsShortWhatSolveSaidMayBe) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run(folder, "nda generate groups --targets 6 --scans 5 --seed 1 -o a.nda").code, 0);
+  const std::string solve = "nda solve a.nda -q -o a.json --proof a.proof --method ";
+  const std::string check = "nda check a.nda a.json --proof a.proof";
+  const Outcome exact = run(folder, solve + "exact");
+  EXPECT_THAT(exact.output, HasSubstr("(proven optimal)"));
+  EXPECT_THAT(exact.log, StartsWith("nda: a.proof: may show less than the lower bound: "));
+  EXPECT_EQ(run(folder, check).code, 1);
+  EXPECT_EQ(run(folder, solve + "auto").log, "");
+  EXPECT_EQ(run(folder, check).code, 0);
 }
 
 // Weights 1, 1/e and 1/e^3 of 1.417667: 0.705385 and so on.
