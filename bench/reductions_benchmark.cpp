@@ -14,8 +14,10 @@
 #include <cstdlib>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "bounded/split.hpp"
 #include "core/component.hpp"
 #include "core/shift.hpp"
 #include "decompose/components.hpp"
@@ -83,8 +85,14 @@ void fix_and_reduce(const Component& component, double cost, Row& row) {
   reduce(live, row);
 }
 
+// Of a problem with bounds on uses what no bound couples.
+nda::Problem without_bounds(nda::Problem problem) {
+  if (!problem.is_many_to_one()) return problem;
+  return std::move(*nda::bounded::split(problem, {}).rest);
+}
+
 void measure(const std::string& file, double limit_s, Row& first, Row& second) {
-  const nda::Problem problem = nda::read_problem(file);
+  const nda::Problem problem = without_bounds(nda::read_problem(file));
   nda::Options options;
   options.time_limit_s = limit_s;
   const nda::Solution solution = nda::solve(problem, options);
