@@ -99,7 +99,7 @@ class Results:
         self.failures = [row for row in rows if row.status not in CLEANLY_ENDED]
         self.programs = sorted({row.program for row in rows})
         self.machines = sorted({row.machine for row in rows})
-        self.limits = sorted({row.limit_s for row in rows})
+        self.limits = {limit: sorted({row.solver for row in rows if row.limit_s == limit}) for limit in sorted({row.limit_s for row in rows})}
 
     @property
     def methods(self):

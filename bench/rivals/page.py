@@ -117,9 +117,9 @@ def family_table(results, names):
 
 
 def run_text(results):
-    limits = " and ".join(f"{limit:g}" for limit in results.limits)
+    limits = ", ".join(f"{limit:g} s ({', '.join(solvers)})" for limit, solvers in results.limits.items())
     return (
-        f"Machine: {', '.join(results.machines)}, one core.  Programs: {', '.join(results.programs)}.  Time limit {limits} s.\n"
+        f"Machine: {', '.join(results.machines)}, one core.  Programs: {', '.join(results.programs)}.  Time limit {limits}.\n"
         f"{len(results.about)} problems, of which {len(results.names(True)) + len(results.names(False))} were run by nda and a rival."
     )
 
