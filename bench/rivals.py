@@ -171,6 +171,8 @@ def parse_arguments():
     parser.add_argument("--tables", action="store_true", help="run nothing, make the tables of the CSV file")
     parser.add_argument("pattern", nargs="*")
     arguments = parser.parse_args()
+    if arguments.again:
+        arguments.rivals = [name for name in arguments.rivals if name in arguments.again]
     if arguments.quick:
         arguments.time_limit, arguments.repeat = min(5.0, arguments.time_limit), 1
     for given, known in ((arguments.rivals, RIVALS), (arguments.setups, setups.RUN), (arguments.again, {"nda", *RIVALS})):
