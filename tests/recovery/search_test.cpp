@@ -105,6 +105,20 @@ TEST(DualGreedy, TakesTheCheaperOfEquallyReducedArcs) {
   EXPECT_THAT(dual_greedy(component, std::vector<double>{0, -3, 0, 0, -2}).arcs, ElementsAre(1));
 }
 
+// Arc 2 has the largest value; arcs 0 and 3 exclude it; of the others arc 1 is the cheaper one of
+// two with equal values, which exclude each other; the value of arc 5 is rounding.
+TEST(RoundValues, TakesLargerValuesFirstThenCheaperArcs) {
+  Component component = core::make_component({4, 4});
+  const std::vector<std::vector<Index>> arcs = {{1, 1}, {2, 3}, {1, 2}, {3, 2}, {2, 4}, {4, 4}};
+  const std::vector<double> costs = {-9, -5, -1, -9, -4, -3};
+  for (std::size_t a = 0; a < arcs.size(); ++a) core::append_arc(component, arcs[a], costs[a]);
+  const std::vector<ArcId> all = {0, 1, 2, 3, 4, 5};
+  const std::vector<double> values = {0.4, 0.5, 0.6, 0.4, 0.5, 1e-9};
+  const Packing packing = round_values(component, all, values);
+  EXPECT_THAT(packing.arcs, ElementsAre(1, 2));
+  EXPECT_EQ(packing.cost, -6);
+}
+
 TEST(LocalSearch, UncrossesTracks) {
   const Component component = support::whole_component(support::crossing_tracks().problem);
   Packing packing = greedy(component, component.costs);
