@@ -6,41 +6,15 @@
 
 #include "core/random.hpp"
 #include "nda/check.hpp"
+#include "nda/generate.hpp"
 #include "nda/io.hpp"
 #include "nda/solve.hpp"
-#include "solve/medium_problems.hpp"
+#include "solve/proven_problems.hpp"
 #include "support/random_problems.hpp"
 #include "support/tiny_problems.hpp"
 
 namespace nda {
 namespace {
-
-// Cuts and branching from the first arc on, the root's bound being poor.
-Options branching() {
-  Options options;
-  options.proof = true;
-  options.branch.exact_arcs = 0;
-  options.relaxation.max_evaluations = 5;
-  options.search.local_search = false;
-  return options;
-}
-
-Options plain() {
-  Options options;
-  options.proof = true;
-  return options;
-}
-
-// Gaps and components; small enough to be solved in milliseconds.
-Problem gapped_problem(std::uint64_t seed) {
-  support::RandomProblemOptions shape;
-  shape.sizes.assign(3 + seed % 4, 8);
-  shape.num_arcs = 60 + static_cast<int>(seed % 7) * 20;
-  shape.costs = seed % 3 == 0 ? support::CostKind::kInteger : support::CostKind::kDecimal;
-  shape.singletons =
-      seed % 2 == 0 ? support::SingletonKind::kPriced : support::SingletonKind::kFree;
-  return support::random_problem(seed, shape);
-}
 
 TEST(Proof, IsThereOnDemandOnly) {
   EXPECT_FALSE(solve(gapped_problem(1)).proof);
@@ -49,24 +23,26 @@ TEST(Proof, IsThereOnDemandOnly) {
 }
 
 TEST(Proof, ShowsTheOptimumOfRandomProblems) {
-  int num_branched = 0;
+  int num_branched = 0, num_proofs = 0;
   for (std::uint64_t seed = 0; seed < 3000; ++seed) {
     const support::RandomCase test = support::random_case(seed);
     SCOPED_TRACE(test.description);
     for (const Options& options : {plain(), branching()}) {
       const Solution solution = solve(test.problem, options);
-      if (solution.status == Status::kInfeasible) continue;
+      ASSERT_EQ(solution.proof.has_value(), solution.status != Status::kInfeasible);
       if (!solution.proof) continue;
+      ++num_proofs;
       const CheckReport report = check(test.problem, solution, *solution.proof);
       ASSERT_TRUE(report.passed()) << report.faults.front();
       num_branched += solution.stats.bound_by_branching;
     }
   }
   EXPECT_GT(num_branched, 100);
+  EXPECT_GT(num_proofs, 4000);
 }
 
-TEST(Proof, ShowsWhatCutsAndBranchingProve) {
-  int num_trees = 0;
+TEST(Proof, ShowsWhatFixingAndSearchesProve) {
+  int num_fixed = 0;
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     SCOPED_TRACE(seed);
     const Problem problem = gapped_problem(seed);
@@ -75,20 +51,33 @@ TEST(Proof, ShowsWhatCutsAndBranchingProve) {
     const CheckReport report = check(problem, solution, *solution.proof);
     ASSERT_TRUE(report.passed()) << report.faults.front();
     EXPECT_TRUE(report.bound_right);
-    for (const ProofPart& part : solution.proof->parts) num_trees += part.steps.size() > 1;
+    for (const ProofPart& part : solution.proof->parts) num_fixed += part.steps.size() > 1;
   }
-  EXPECT_GT(num_trees, 50);
+  EXPECT_GT(num_fixed, 50);
 }
 
-// Many indices an arc, few arcs: linear programs are far off, cliques are not.
-Problem dense_problem(std::uint64_t seed) {
-  support::RandomProblemOptions shape;
-  shape.sizes.assign(20, 20);
-  shape.num_arcs = 200;
-  shape.dummy_share = 0.7;
-  shape.costs = seed % 2 == 0 ? support::CostKind::kInteger : support::CostKind::kDecimal;
-  shape.singletons = support::SingletonKind::kFree;
-  return support::random_problem(seed, shape);
+// Two of the smallest problems that no search ends before there is a tree.
+TEST(Proof, ShowsWhatCutsAndBranchingProve) {
+  for (const Index size : {14u, 16u}) {
+    SCOPED_TRACE(size);
+    PooreSparseOptions sparse;
+    sparse.min_size = sparse.max_size = size;
+    sparse.arcs = size == 14 ? 400 : 300;
+    sparse.seed = 2;
+    const Problem problem = generate_poore_sparse(sparse).problem;
+    const Solution solution = solve(problem, branching());
+    ASSERT_TRUE(solution.proven);
+    const CheckReport report = check(problem, solution, *solution.proof);
+    ASSERT_TRUE(report.passed()) << report.faults.front();
+    EXPECT_TRUE(report.bound_right);
+    std::size_t num_branchings = 0, num_cuts = 0;
+    for (const ProofStep& step : solution.proof->parts.at(0).steps) {
+      num_branchings += step.rule == ProofRule::kTogether || step.rule == ProofRule::kApart;
+      num_cuts += step.point.cuts.size();
+    }
+    EXPECT_GT(num_branchings, 3);
+    EXPECT_GT(num_cuts, 20);
+  }
 }
 
 bool has_cliques(const Proof& proof) {
@@ -129,59 +118,6 @@ TEST(Proof, ShowsWhatIsKnownWhenALimitStrikes) {
     EXPECT_GE(report.proof_bound,
               report.certificate_bound - 1e-9 * std::abs(report.certificate_bound));
   }
-}
-
-// Changes a proof in one place; returns false where nothing was there to be changed.
-bool mutate(Proof& proof, core::Random& random) {
-  ProofPart& part = proof.parts[random.below(proof.parts.size())];
-  const std::size_t at = random.below(part.steps.size());
-  ProofStep& step = part.steps[at];
-  switch (random.below(7)) {
-    case 0:
-      part.steps.erase(part.steps.begin() + static_cast<std::ptrdiff_t>(at));
-      return true;
-    case 1:
-      step.threshold += step.rule == ProofRule::kFix ? random.uniform(0.01, 10) : 0;
-      return step.rule == ProofRule::kFix;
-    case 2:
-      step.threshold -= step.rule == ProofRule::kFix ? random.uniform(0.01, 10) : 0;
-      return step.rule == ProofRule::kFix;
-    case 3:
-      if (step.point.changes.empty()) return false;
-      step.point.changes[random.below(step.point.changes.size())].value += random.uniform(-9, 9);
-      return true;
-    case 4:
-      if (step.point.cuts.empty()) return false;
-      step.point.cuts.pop_back();
-      return true;
-    case 5:
-      if (step.point.cuts.empty()) return false;
-      ++step.point.cuts[random.below(step.point.cuts.size())].weights[0];
-      return true;
-    default:
-      std::swap(step.first, step.second);
-      step.rule = step.rule == ProofRule::kTogether ? ProofRule::kApart : ProofRule::kTogether;
-      return step.point.changes.empty() && step.point.cuts.empty();
-  }
-}
-
-// A changed proof fails, or falls short, or is a proof all the same: never does it show too much.
-TEST(Proof, ShowsNothingWrongWhenChanged) {
-  core::Random random(1);
-  int num_mutants = 0, num_refused = 0;
-  for (std::uint64_t seed = 0; num_mutants < 1000; seed = (seed + 1) % 200) {
-    const Problem problem = gapped_problem(seed);
-    const Solution solution = solve(problem, branching());
-    for (int trial = 0; trial < 20 && !solution.proof->parts.empty(); ++trial) {
-      Proof changed = *solution.proof;
-      if (!mutate(changed, random)) continue;
-      ++num_mutants;
-      const ProofReport report = check_proof(problem, changed);
-      num_refused += !check(problem, solution, changed).passed();
-      ASSERT_LE(report.lower_bound, solution.cost + 1e-12 * std::abs(solution.cost));
-    }
-  }
-  EXPECT_GT(num_refused, 400);
 }
 
 TEST(Proof, SurvivesItsFile) {
@@ -232,28 +168,6 @@ TEST(Proof, IsRefusedWhenItsFileWasChanged) {
       } catch (const InputError&) {
         ++num_changed;
       }
-    }
-  }
-}
-
-// Not by an accident of the text: the numbers of one proof under the digest of another.
-TEST(Proof, IsRefusedUnderTheDigestOfAnother) {
-  core::Random random(3);
-  int num_mutants = 0;
-  for (std::uint64_t seed = 0; num_mutants < 1000; seed = (seed + 1) % 200) {
-    const Solution solution = solve(gapped_problem(seed), branching());
-    std::ostringstream right;
-    write_proof(*solution.proof, right);
-    ASSERT_NO_THROW(parse_proof(right.str()));
-    const std::string digest = right.str().substr(right.str().rfind("end"));
-    for (int trial = 0; trial < 20 && !solution.proof->parts.empty(); ++trial) {
-      Proof changed = *solution.proof;
-      if (!mutate(changed, random)) continue;
-      std::ostringstream wrong;
-      write_proof(changed, wrong);
-      const std::string text = wrong.str();
-      ++num_mutants;
-      ASSERT_THROW(parse_proof(text.substr(0, text.rfind("end")) + digest), InputError) << text;
     }
   }
 }
