@@ -15,6 +15,7 @@ using support::HasCost;
 using support::IsFeasibleFor;
 
 TEST(SolveBruteForce, AgreesWithTheJudgeOnBoundsOnUses) {
+  int num_feasible = 0;
   for (std::uint64_t seed = 0; seed < 5000; ++seed) {
     const support::RandomCase instance = support::random_bounded_case(seed);
     SCOPED_TRACE(instance.description);
@@ -22,10 +23,12 @@ TEST(SolveBruteForce, AgreesWithTheJudgeOnBoundsOnUses) {
     const BaselineResult result = solve_brute_force(instance.problem);
     ASSERT_EQ(result.feasible, expected.has_value());
     if (!expected) continue;
+    ++num_feasible;
     EXPECT_NEAR(result.cost, expected->cost, 1e-12);
     EXPECT_THAT(result.arcs, IsFeasibleFor(instance.problem));
     EXPECT_THAT(result, HasCost(instance.problem, 1e-12));
   }
+  EXPECT_GT(num_feasible, 2000);
 }
 
 // Bounds that say the same as none: 1..1 but for one index without arcs and cost.
@@ -47,6 +50,7 @@ Problem with_a_free_index(const Problem& problem) {
 }
 
 TEST(Baselines, GiveTheSameAnswersWhereBoundsSayNothing) {
+  int num_small = 0;
   for (std::uint64_t seed = 0; seed < 2000; ++seed) {
     const support::RandomCase instance = support::random_case(seed);
     SCOPED_TRACE(instance.description);
@@ -55,6 +59,7 @@ TEST(Baselines, GiveTheSameAnswersWhereBoundsSayNothing) {
     ASSERT_TRUE(bounded.is_many_to_one());
     EXPECT_EQ(solve_greedy(bounded).arcs, solve_greedy(plain).arcs);
     if (plain.num_arcs() > 16) continue;
+    ++num_small;
     const double size = support::brute_force(plain) ? solve_brute_force(plain).cost : 0;
     const BaselineResult best = solve_brute_force(bounded);
     EXPECT_EQ(best.feasible, solve_brute_force(plain).feasible);
@@ -62,6 +67,7 @@ TEST(Baselines, GiveTheSameAnswersWhereBoundsSayNothing) {
       EXPECT_NEAR(best.cost, size, 1e-12 * std::abs(size));
     }
   }
+  EXPECT_GT(num_small, 1000);
 }
 
 TEST(SolveGreedy, FindsFeasibleSolutionsWithinBounds) {

@@ -156,10 +156,12 @@ class BranchAndBound : public ::testing::TestWithParam<Fakes> {
 };
 
 TEST_P(BranchAndBound, AgreesWithBruteForceForAnyMultipliersAndCutoff) {
+  int num_compared = 0;
   for (std::uint64_t seed = 0; seed < 1200; ++seed) {
     SCOPED_TRACE(seed);
     const Cut cut = random_cut(seed);
     if (cut.part.num_arcs() > 13) continue;
+    ++num_compared;
     core::Random random(seed);
     const std::vector<double> u =
         support::feasible_multipliers(cut.part, random, random.below(3) == 0 ? 3.0 : 0.0);
@@ -180,6 +182,7 @@ TEST_P(BranchAndBound, AgreesWithBruteForceForAnyMultipliersAndCutoff) {
     }
     if (HasFailure()) return;
   }
+  EXPECT_GT(num_compared, 600);
 }
 
 TEST_P(BranchAndBound, StaysSoundUnderANodeLimit) {

@@ -135,23 +135,28 @@ TEST(BoundedRecovery, IsFeasible) {
 // A relaxed solution that exceeds no relaxed bound and lacks nothing it has not paid for is the
 // best; recovery finds nothing worse.  Two dimensions are the simplest case.
 TEST(BoundedRecovery, IsTheOptimumInTwoDimensions) {
+  int num_compared = 0;
   for (std::uint64_t seed = 0; seed < 2000; ++seed) {
     SCOPED_TRACE(seed);
     const BoundedComponent component = small_component(seed);
     if (component.graph.num_dimensions() > 2) continue;
+    ++num_compared;
     DualFunction point(component);
     evaluate(point, std::vector<double>(component.rows.size(), 0.0));
     EXPECT_NEAR(
         recover_recursively(component, point, {}, {}).cost, best_choice(component).cost, kTie);
   }
+  EXPECT_GT(num_compared, 200);
 }
 
 // In three dimensions the recovery problem is a flow: its best choice by listing all is found.
 TEST(BoundedRecovery, IsTheBestOfTheAlignmentInThreeDimensions) {
+  int num_compared = 0;
   for (std::uint64_t seed = 0; seed < 5000; ++seed) {
     SCOPED_TRACE(seed);
     const BoundedComponent component = small_component(seed);
     if (component.graph.num_dimensions() != 3) continue;
+    ++num_compared;
     Random random(seed);
     DualFunction point(component);
     evaluate(point, random_multipliers(component, random));
@@ -162,6 +167,7 @@ TEST(BoundedRecovery, IsTheBestOfTheAlignmentInThreeDimensions) {
     EXPECT_LE(recover_recursively(component, point, {}, {}).cost, promised.cost + constant + kTie);
     if (HasFailure()) return;
   }
+  EXPECT_GT(num_compared, 500);
 }
 
 TEST(BoundedRecovery, LeavesOverWhatTheDeadlineForbids) {

@@ -105,6 +105,7 @@ TEST(Master, ColumnGenerationReachesTheOptimum) {
 }
 
 TEST(Master, FixingKeepsEveryPackingBelowTheCutoff) {
+  int num_fixed = 0;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     const Component component = fractional_component(seed);
     const double cutoff = support::best_cost(component) + 0.5;
@@ -113,6 +114,7 @@ TEST(Master, FixingKeepsEveryPackingBelowTheCutoff) {
     master.fix(cutoff);
     std::vector<bool> live(component.num_arcs(), false);
     for (const ArcId a : master.live()) live[a] = true;
+    num_fixed += static_cast<int>(component.num_arcs() - master.live().size());
     for (const core::Packing& packing : support::all_packings(component)) {
       if (packing.cost >= cutoff - 1e-9) continue;
       for (const ArcId a : packing.arcs) ASSERT_TRUE(live[a]) << "seed " << seed << " arc " << a;
@@ -120,6 +122,7 @@ TEST(Master, FixingKeepsEveryPackingBelowTheCutoff) {
     ASSERT_EQ(master.solve(kInfinity, kNever), Outcome::kOptimal);
     ASSERT_LE(master.lower(), cutoff - 0.5 + 1e-9);
   }
+  EXPECT_GT(num_fixed, 1000);
 }
 
 TEST(Master, DropsCutsThatStayIdle) {

@@ -74,6 +74,7 @@ TEST(Merged, AddsUpOverTheScans) {
 
 // Penalties of p and q add p for every detection and q for every target to whatever uses each once.
 TEST(Merged, ChargesAConstantForThePenalties) {
+  int num_small = 0;
   MergedOptions options;
   options.targets = 3;
   options.side = 60;
@@ -87,6 +88,7 @@ TEST(Merged, ChargesAConstantForThePenalties) {
     const Instance cheap = generate_merged(options);
     ASSERT_EQ(dear.problem.num_arcs(), cheap.problem.num_arcs());
     if (cheap.problem.num_arcs() > 16) continue;
+    ++num_small;
     const double constant = 1000.0 * static_cast<double>(dear.problem.num_indices());
     EXPECT_EQ(dear.comments[1],
               "the penalties add " + std::to_string(static_cast<int>(constant)) +
@@ -95,6 +97,7 @@ TEST(Merged, ChargesAConstantForThePenalties) {
     const double once = solve_brute_force(dear.problem).cost - constant;
     EXPECT_LE(solve_brute_force(cheap.problem).cost, once + 1e-6);
   }
+  EXPECT_GT(num_small, 20);
 }
 
 TEST(Merged, RejectsMoreHypothesesThanFitAnywhere) {

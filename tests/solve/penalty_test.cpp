@@ -105,6 +105,7 @@ TEST(Penalty, GoesOnInTimeBoundsAndComponents) {
 
 // Stopped anywhere, the answer is honest.
 TEST(Penalty, MayBeStoppedAtAnyTime) {
+  int num_stopped = 0;
   const Problem problem = Chains({200, 60, 400, 5}).build();
   for (int calls = 1; calls < 40; ++calls) {
     int left = calls;
@@ -114,8 +115,10 @@ TEST(Penalty, MayBeStoppedAtAnyTime) {
     EXPECT_THAT(check(problem, solution).faults, IsEmpty()) << calls;
     EXPECT_NE(solution.status, Status::kInfeasible);
     EXPECT_LE(solution.lower_bound, optimum(problem) + 1e-6);
+    num_stopped += solution.status == Status::kInterrupted;
     if (solution.status == Status::kOptimal) break;
   }
+  EXPECT_GT(num_stopped, 10);
 }
 
 TEST(Penalty, LeavesProofsWhole) {

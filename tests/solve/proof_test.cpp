@@ -108,16 +108,19 @@ TEST(Proof, ShowsWhatCliquesProve) {
 }
 
 TEST(Proof, ShowsWhatIsKnownWhenALimitStrikes) {
+  int num_stopped = 0;
   Options options = branching();
   options.branch.max_nodes = 2;
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     const Problem problem = gapped_problem(seed);
     const Solution solution = solve(problem, options);
+    num_stopped += solution.status == Status::kNodeLimit;
     const CheckReport report = check(problem, solution, *solution.proof);
     ASSERT_TRUE(report.passed()) << report.faults.front();
     EXPECT_GE(report.proof_bound,
               report.certificate_bound - 1e-9 * std::abs(report.certificate_bound));
   }
+  EXPECT_GT(num_stopped, 10);
 }
 
 TEST(Proof, SurvivesItsFile) {
