@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/min_max.hpp"
 #include "core/slices.hpp"
 #include "core/use_bounds.hpp"
 
@@ -112,9 +113,13 @@ Shift make_shift(const Problem& problem, const Deadline& deadline, double most_p
 CostGrid find_grid(const Problem& problem, const Deadline& deadline) {
   double scale = 1;
   for (int digits = 0; digits <= 9; ++digits, scale *= 10) {
-    if (all_costs(problem, deadline, [&](double cost) { return on_grid(cost, scale); })) {
-      return {1 / scale, digits == 0};
-    }
+    double largest = 0;
+    const auto fits = [&](double cost) {
+      largest = max_of(largest, std::abs(cost));
+      return on_grid(cost, scale);
+    };
+    if (all_costs(problem, deadline, fits))
+      return {1 / scale, digits == 0, digits == 0 ? 0.0 : largest};
   }
   return {};
 }

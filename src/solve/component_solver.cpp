@@ -98,8 +98,9 @@ Precision precision_of(const Component& component, const core::CostGrid& grid) {
 Precision precision_of(std::size_t num_indices, double largest, const core::CostGrid& grid) {
   Precision precision;
   precision.error = 0x1p-50 * static_cast<double>(num_indices) * largest;
-  precision.margin =
-      grid.step > 16 * precision.error ? grid.step - 4 * precision.error : precision.error;
+  // The costs before the shift are what is rounded where a bound is rounded up.
+  const double error = 0x1p-50 * static_cast<double>(num_indices) * std::max(largest, grid.largest);
+  precision.margin = grid.step > 16 * error ? grid.step - 4 * error : precision.error;
   return precision;
 }
 
