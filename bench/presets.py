@@ -58,7 +58,8 @@ def shortfall(row, rows):
 
 
 def seconds(row, rows):
-    return f"{number(row['seconds']):.3g}"
+    cut_off = row["status"] == "time_limit"
+    return f"{number(row['seconds']):.3g}{' (cut off)' if cut_off else ''}"
 
 
 def table(families, figure):
@@ -84,6 +85,8 @@ first of each [family](../families.md) that `nda generate` makes (`poore-5.1` wi
 {bounds}
 
 ## Seconds
+
+Cut off: the limit of time ended it, so that more would have been better, or proven.
 
 {times}
 """

@@ -95,7 +95,11 @@ class Loop {
     return std::min(options_.goal, result_.recoveries > 0 ? result_.best.cost : kInfinity);
   }
 
-  bool has_time() const { return !deadline_.reached() && deadline_.remaining_s() > step_s_; }
+  // Asked only where there is more to do.
+  bool has_time() {
+    result_.out_of_time = deadline_.reached() || deadline_.remaining_s() <= step_s_;
+    return !result_.out_of_time;
+  }
 
   void recover() {
     if (!recover_) return;
@@ -150,7 +154,8 @@ LagrangianResult maximize_by_coordinates(const Component& component,
   result.evaluations = found.evaluations;
   result.u = std::move(found.point);
   if (options.certify) result.lower = make_feasible(component, result.u, options.deadline);
-  if (deadline.reached()) return result;
+  result.out_of_time = deadline.reached();
+  if (result.out_of_time) return result;
   DualFunction kept(component, options.assign2d, deadline);
   AlignmentPool pool(options.alignment_rule, options.num_alignments);
   const std::span<const double> point = std::span(result.u).subspan(kept.first_slot());
@@ -180,7 +185,11 @@ LagrangianResult maximize_dual(const Component& component,
                                std::span<const double> warm,
                                const LagrangianOptions& options,
                                const Recover& recover) {
-  if (options.deadline.earlier(options.certify_s).reached()) return {};
+  if (options.deadline.earlier(options.certify_s).reached()) {
+    LagrangianResult nothing;
+    nothing.out_of_time = true;
+    return nothing;
+  }
   const bool two_dimensional = component.num_dimensions() == 2;  // nothing is relaxed
   if (options.dual_method == DualMethod::kCoordinate && !two_dimensional) {
     return maximize_by_coordinates(component, warm, options, recover);

@@ -55,6 +55,7 @@ struct LagrangianResult {
   std::vector<Alignment> alignments;  ///< best first; one of the coordinate method
   int evaluations = 0;
   int recoveries = 0;
+  bool out_of_time = false;           ///< the deadline, or what is kept of it, cut this short
   std::int64_t kept_evaluations = 0;  ///< of dual functions of relaxed problems
   std::int64_t kept_nodes = 0;        ///< of exact searches for their best packings
 };

@@ -204,7 +204,7 @@ Status ComponentSolver::reason_to_stop() const {
   if (state_.complete) return Status::kOptimal;
   if (close_enough()) return Status::kGapReached;
   if (deadline_.interrupted()) return Status::kInterrupted;
-  if (deadline_.expired()) return Status::kTimeLimit;
+  if (deadline_.expired() || out_of_time_) return Status::kTimeLimit;
   return options_.method == Method::kRelaxation ? Status::kIterationLimit : Status::kNodeLimit;
 }
 
@@ -344,6 +344,7 @@ void ComponentSolver::accept_dual(relax::LagrangianResult result, const char* ev
   state_.evaluations += result.evaluations + result.kept_evaluations;
   state_.recoveries += result.recoveries;
   state_.nodes += result.kept_nodes;
+  out_of_time_ = result.out_of_time;
   accept_multipliers(std::move(result.u), result.lower, event);
   raise_bound(result.kept_bound, event);
 }

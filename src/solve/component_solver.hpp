@@ -159,6 +159,7 @@ class ComponentSolver {
   bool tried_cliques_ = false;
   bool searched_cliques_ = false;  // to the end
   bool searched_ = false;
+  bool out_of_time_ = false;              // the last relaxation stopped before the deadline
   double searched_free_at_ = -kInfinity;  // the certificate then
   double next_wide_search_ = 0;           // 0 = there was none yet
   int improvements_ = 0;

@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "core/clock.hpp"
+#include "core/option_table.hpp"
 #include "core/random.hpp"
 #include "nda/check.hpp"
 #include "nda/solve.hpp"
@@ -103,6 +104,25 @@ TEST(TimeLimit, OfNoTimeStillGivesABoundAndTheSingletons) {
   EXPECT_EQ(solution.status, Status::kTimeLimit);
   expect_usable(hard_problem(), solution);
   ASSERT_EQ(solution.solutions.size(), 1u);
+}
+
+// It ends before the limit, as the next evaluation and the certificate would end after it.
+TEST(TimeLimit, IsWhatCutsTheRelaxationAloneShort) {
+  for (const char* dual_method : {"bundle", "subgradient", "volume", "coordinate"}) {
+    for (const int kept_sets : {2, 3}) {
+      SCOPED_TRACE(std::string(dual_method) + ", kept sets " + std::to_string(kept_sets));
+      Options options;
+      core::set_option("relaxation.dual_method", dual_method, options);
+      options.method = Method::kRelaxation;
+      options.relaxation.kept_sets = kept_sets;
+      options.relaxation.max_evaluations = 1'000'000;
+      options.relaxation.relative_tolerance = 0;
+      options.time_limit_s = 0.01;
+      const Solution solution = solve(hard_problem(), options);
+      EXPECT_EQ(solution.status, Status::kTimeLimit);
+      expect_usable(hard_problem(), solution);
+    }
+  }
 }
 
 // Costs that are small multiples of the smallest number: steps of the dual method underflow.
