@@ -25,8 +25,8 @@ struct ArcMarginal {
   double weight = 0;       ///< of the solutions that use it
 };
 
-/// Two real indices that at least one of the solutions puts into one arc; dimensions from 0, the
-/// first below the second.
+/// Two real indices that at least one of the solutions puts into one arc, or several; dimensions
+/// from 0, the first below the second.
 struct PairMarginal {
   int first_dimension = 0;
   Index first = 0;
@@ -35,13 +35,14 @@ struct PairMarginal {
   double weight = 0;  ///< of the solutions that do
 };
 
-/// An index that not all of the solutions use alike.
+/// An index that not all of the solutions use alike.  A use is the set of its arcs in a solution:
+/// none, one, or several where bounds on uses allow it.
 struct AmbiguousIndex {
   int dimension = 0;  ///< from 0
   Index index = 0;
   /// Of its uses, -sum w ln w, in nats: 0 = as good as certain, ln m = m uses of equal weight.
   double entropy = 0;
-  std::vector<std::size_t> arcs;  ///< positions in Marginals::arcs, of falling weight
+  std::vector<std::size_t> arcs;  ///< of any use: positions in Marginals::arcs, of falling weight
 };
 
 /// What the solutions of a list say together, each counting by its likelihood:
@@ -59,7 +60,8 @@ struct AmbiguousIndex {
 /// as good may be missing beside them, so read num_proven first.
 ///
 /// The weights of an index's arcs and `alone` add up to 1 to 1e-12, as do those of the ranks; what
-/// all ranks have weighs exactly 1.
+/// all ranks have weighs exactly 1.  Where a rank uses an index in several arcs (UseBounds), these
+/// add up to more, as each counts by itself; those of its uses still make 1.
 struct Marginals {
   double cost_per_nat = 1;                 ///< the option
   std::size_t num_proven = 0;              ///< how many of the first ranks are proven
@@ -79,8 +81,10 @@ struct Marginals {
 /// twice.
 ///
 /// Throws InputError for an option out of range, a cost that is not a number, and arcs that are not
-/// those of a solution: N entries within the sizes, lexicographic, no index used twice.
-/// Cost: O(arcs of all solutions N), and O(N^2) for each arc that any of them has.  Thread safe.
+/// those of a solution: N entries within the sizes, lexicographic, none twice.  Whether an index
+/// may be used as often as it is, is for check() to say. Cost: O(arcs of all solutions N), and
+/// O(N^2) for each arc that any of them has; a factor log more for indices that are used twice.
+/// Thread safe.
 Marginals marginals(const Solution& solution, const MarginalOptions& options = {});
 
 /// The same of a list of one's own.  @param sizes  M_k of the problem.

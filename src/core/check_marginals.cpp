@@ -25,12 +25,24 @@ struct Sum {
   std::size_t ranks = 0;
 };
 
+// What the solutions do with an index that any of them uses in several arcs.
+using SharedUses = std::map<std::set<Tuple>, long double>;
+
 struct Truth {
   std::vector<long double> weights;
   std::map<Tuple, Sum> arcs;
   std::map<std::pair<Place, Place>, long double> pairs;
   std::vector<std::vector<Sum>> alone;  // [k][i-1]
+  std::map<Place, SharedUses> shared;
 };
+
+std::vector<Place> places_of(const Tuple& tuple) {
+  std::vector<Place> places;
+  for (std::size_t k = 0; k < tuple.size(); ++k) {
+    if (tuple[k] != 0) places.emplace_back(static_cast<int>(k), tuple[k]);
+  }
+  return places;
+}
 
 std::vector<long double> weights_of(const Solution& solution, double cost_per_nat) {
   double least = kInfinity;
@@ -66,12 +78,35 @@ void add_rank(const RankedSolution& rank, long double weight, Truth& truth) {
   }
 }
 
-std::vector<Place> places_of(const Tuple& tuple) {
-  std::vector<Place> places;
-  for (std::size_t k = 0; k < tuple.size(); ++k) {
-    if (tuple[k] != 0) places.emplace_back(static_cast<int>(k), tuple[k]);
+std::vector<Place> shared_places(const Solution& solution) {
+  std::set<Place> shared;
+  for (const RankedSolution& rank : solution.solutions) {
+    std::set<Place> used;
+    for (const Tuple& tuple : rank.arcs) {
+      for (const Place& place : places_of(tuple)) {
+        if (!used.insert(place).second) shared.insert(place);
+      }
+    }
   }
-  return places;
+  return {shared.begin(), shared.end()};
+}
+
+// The arcs of a pair were all counted, but the solution has the pair once.
+void add_shared(const RankedSolution& rank, long double weight, Truth& truth) {
+  std::set<std::pair<Place, Place>> pairs;
+  std::map<Place, std::set<Tuple>> used;
+  for (const Tuple& tuple : rank.arcs) {
+    std::vector<Place> places = places_of(tuple);
+    std::erase_if(places, [&](const Place& place) { return !truth.shared.contains(place); });
+    for (std::size_t p = 0; p < places.size(); ++p) {
+      used[places[p]].insert(tuple);
+      for (std::size_t q = p + 1; q < places.size(); ++q) {
+        if (!pairs.insert({places[p], places[q]}).second)
+          truth.pairs[{places[p], places[q]}] -= weight;
+      }
+    }
+  }
+  for (auto& [place, uses] : truth.shared) uses[used[place]] += weight;
 }
 
 Truth truth_of(const Solution& solution, double cost_per_nat) {
@@ -88,6 +123,10 @@ Truth truth_of(const Solution& solution, double cost_per_nat) {
         truth.pairs[{places[p], places[q]}] += sum.weight;
     }
   }
+  for (const Place& place : shared_places(solution)) truth.shared[place] = {};
+  if (truth.shared.empty()) return truth;
+  for (std::size_t r = 0; r < solution.solutions.size(); ++r)
+    add_shared(solution.solutions[r], truth.weights[r], truth);
   return truth;
 }
 
@@ -118,20 +157,6 @@ std::string head_fault(const Solution& solution) {
   std::size_t proven = 0;
   while (proven < solution.solutions.size() && solution.solutions[proven].proven) ++proven;
   return count_fault("proven ranks", stated.num_proven, proven);
-}
-
-// Marginals are shares of 1 as long as each solution uses an index in one way.
-std::string shared_index_fault(const Solution& solution) {
-  for (const RankedSolution& rank : solution.solutions) {
-    std::set<Place> used;
-    for (const Tuple& tuple : rank.arcs) {
-      for (const Place& place : places_of(tuple)) {
-        if (!used.insert(place).second)
-          return "solution " + std::to_string(rank.rank) + " uses " + place_text(place) + " twice";
-      }
-    }
-  }
-  return {};
 }
 
 std::string weights_fault(const Marginals& stated, const Truth& truth) {
@@ -201,7 +226,7 @@ std::string alone_fault(const Marginals& stated, const Truth& truth) {
 // What the solutions do with an index.
 struct Uses {
   std::set<Tuple> arcs;
-  std::vector<long double> weights;  // of the arcs, and of leaving it alone
+  std::vector<long double> weights;  // of the sets of arcs, the empty one among them
 };
 
 // Of the indices with more than one use.
@@ -216,6 +241,10 @@ std::map<Place, Uses> ambiguous_uses(const Truth& truth) {
   for (auto& [place, use] : uses) {
     const Sum& alone = truth.alone[static_cast<std::size_t>(place.first)][place.second - 1];
     if (alone.ranks > 0) use.weights.push_back(alone.weight);
+  }
+  for (const auto& [place, shared] : truth.shared) {
+    uses[place].weights.clear();
+    for (const auto& [arcs, weight] : shared) uses[place].weights.push_back(weight);
   }
   std::erase_if(uses, [](const auto& entry) { return entry.second.weights.size() < 2; });
   return uses;
@@ -271,7 +300,6 @@ std::string ambiguous_fault(const Marginals& stated, const Truth& truth) {
 std::string marginals_fault(const Solution& solution) {
   const Marginals& stated = *solution.marginals;
   std::string fault = head_fault(solution);
-  if (fault.empty()) fault = shared_index_fault(solution);
   if (!fault.empty()) return fault;
   const Truth truth = truth_of(solution, stated.cost_per_nat);
   for (const auto check : {weights_fault, arcs_fault, pairs_fault, alone_fault, ambiguous_fault}) {

@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "core/double_double.hpp"
+#include "kbest/index_numbers.hpp"
 #include "kbest/ranks.hpp"
+#include "kbest/shared_uses.hpp"
 #include "nda/solution.hpp"
 
 // Sums of weights over a list of solutions, which mostly agree: a rank is compared with the first
@@ -26,12 +28,15 @@
 // double-double, hence those of one index add up to 1 but for the last rounding of each, whatever
 // the number of ranks.
 //
-// A pair's weight is the sum over the arcs that hold both: these exclude each other.
+// A pair's weight is the sum over the arcs that hold both: these exclude each other.  Neither that
+// nor the two lines on indices is so where bounds on uses let a rank have several arcs of an index;
+// kbest/shared_uses.hpp goes through the ranks for these.
 
 namespace nda {
 namespace {
 
 using core::DoubleDouble;
+using kbest::IndexNumbers;
 using Tuple = std::vector<Index>;
 
 double rounded(const DoubleDouble& sum) {
@@ -45,27 +50,6 @@ double rest_of(DoubleDouble total, const DoubleDouble& part) {
   total.add(-part.low());
   return rounded(total);
 }
-
-// Numbers the real indices of all dimensions from 0 on.
-class IndexNumbers {
- public:
-  explicit IndexNumbers(std::span<const Index> sizes) {
-    for (const Index size : sizes) first_.push_back(first_.back() + size);
-  }
-  std::size_t count() const { return first_.back(); }
-  std::size_t operator()(std::size_t k, Index i) const { return first_[k] + i - 1; }
-
-  // Calls note(number) for the real indices of a tuple.
-  template <typename Note>
-  void for_each(const Tuple& tuple, Note&& note) const {
-    for (std::size_t k = 0; k < tuple.size(); ++k) {
-      if (tuple[k] != 0) note((*this)(k, tuple[k]));
-    }
-  }
-
- private:
-  std::vector<std::size_t> first_ = {0};
-};
 
 [[noreturn]] void fail(std::size_t rank, const std::string& what) {
   throw InputError("number " + std::to_string(rank + 1) + " of the solutions " + what);
@@ -85,20 +69,25 @@ void require_tuple(std::span<const Index> sizes, std::size_t rank, const Tuple& 
   }
 }
 
-void require_solutions(std::span<const Index> sizes, std::span<const RankedSolution> ranks) {
+// Returns by index number whether a rank uses the index in several arcs.
+std::vector<bool> require_solutions(std::span<const Index> sizes,
+                                    std::span<const RankedSolution> ranks) {
   const IndexNumbers numbers(sizes);
   std::vector<std::size_t> used_by(numbers.count(), ranks.size());
+  std::vector<bool> shared(numbers.count());
   for (std::size_t r = 0; r < ranks.size(); ++r) {
     if (std::isnan(ranks[r].cost)) fail(r, "has a cost that is not a number");
     const std::vector<Tuple>& arcs = ranks[r].arcs;
     for (const Tuple& tuple : arcs) {
       require_tuple(sizes, r, tuple);
       numbers.for_each(tuple, [&](std::size_t index) {
-        if (std::exchange(used_by[index], r) == r) fail(r, "uses an index twice");
+        if (std::exchange(used_by[index], r) == r) shared[index] = true;
       });
     }
     if (!std::is_sorted(arcs.begin(), arcs.end())) fail(r, "has arcs that are not in order");
+    if (std::adjacent_find(arcs.begin(), arcs.end()) != arcs.end()) fail(r, "has an arc twice");
   }
+  return shared;
 }
 
 // exp(-(cost - least) / cost_per_nat), to the sum 1.
@@ -134,8 +123,12 @@ class Summation {
  public:
   Summation(std::span<const Index> sizes,
             std::span<const RankedSolution> ranks,
-            const std::vector<double>& weights)
+            std::span<const double> weights,
+            std::vector<bool> shared)
       : numbers_(sizes),
+        ranks_(ranks),
+        weights_(weights),
+        shared_(std::move(shared)),
         base_(ranks[heaviest(weights)].arcs),
         missing_(base_.size()),
         marks_(numbers_.count()) {
@@ -148,6 +141,7 @@ class Summation {
 
   void finish(std::span<const Index> sizes, Marginals& result) {
     result.arcs = arcs();
+    const kbest::SharedUses uses(numbers_, shared_, ranks_, weights_, result.arcs);
     std::vector<std::vector<std::size_t>> arcs_of(numbers_.count());
     for (std::size_t a = 0; a < result.arcs.size(); ++a)
       numbers_.for_each(result.arcs[a].arc, [&](std::size_t i) { arcs_of[i].push_back(a); });
@@ -155,10 +149,12 @@ class Summation {
     for (std::size_t k = 0; k < sizes.size(); ++k) {
       std::vector<double>& alone = result.alone.emplace_back();
       for (Index i = 1; i <= sizes[k]; ++i, ++number) {
-        alone.push_back(alone_weight(marks_[number]));
-        put_pairs(k, i, arcs_of[number], result);
-        if (marks_[number].is_ambiguous)
-          put_ambiguous(k, i, std::move(arcs_of[number]), alone.back(), result);
+        const bool is_shared = shared_[number];
+        alone.push_back(is_shared ? uses.alone(number) : alone_weight(marks_[number]));
+        put_pairs(k, i, arcs_of[number], uses, result);
+        if (!marks_[number].is_ambiguous) continue;
+        put_ambiguous(k, i, std::move(arcs_of[number]), alone.back(), result);
+        if (is_shared) result.ambiguous.back().entropy = entropy_of(uses.weights(number));
       }
     }
     std::stable_sort(result.ambiguous.begin(), result.ambiguous.end(), more_ambiguous);
@@ -188,7 +184,7 @@ class Summation {
     bool operator()(const Tuple* a, const Tuple* b) const { return *a == *b; }
   };
 
-  static std::size_t heaviest(const std::vector<double>& weights) {
+  static std::size_t heaviest(std::span<const double> weights) {
     const auto found = std::max_element(weights.begin(), weights.end());
     return static_cast<std::size_t>(found - weights.begin());
   }
@@ -250,10 +246,11 @@ class Summation {
   }
 
   // The pairs whose first index it is.
-  static void put_pairs(std::size_t k,
-                        Index i,
-                        const std::vector<std::size_t>& arcs,
-                        Marginals& result) {
+  void put_pairs(std::size_t k,
+                 Index i,
+                 const std::vector<std::size_t>& arcs,
+                 const kbest::SharedUses& uses,
+                 Marginals& result) const {
     std::vector<PairMarginal> pairs;
     for (const std::size_t a : arcs) {
       const ArcMarginal& marginal = result.arcs[a];
@@ -274,7 +271,10 @@ class Summation {
     });
     for (auto next = pairs.begin(); next != pairs.end();) {
       PairMarginal& pair = result.pairs.emplace_back(*next);
-      DoubleDouble sum;
+      const DoubleDouble excess = uses.excess(
+          numbers_(k, i), numbers_(static_cast<std::size_t>(pair.second_dimension), pair.second));
+      DoubleDouble sum(-excess.high());
+      sum.add(-excess.low());
       for (; next != pairs.end() && second(*next) == second(pair); ++next) sum.add(next->weight);
       pair.weight = rounded(sum);
     }
@@ -292,6 +292,9 @@ class Summation {
   }
 
   const IndexNumbers numbers_;
+  const std::span<const RankedSolution> ranks_;
+  const std::span<const double> weights_;
+  const std::vector<bool> shared_;  // by index number: several arcs in one rank
   const std::vector<Tuple>& base_;
   DoubleDouble total_;                 // 1, but for rounding
   std::vector<DoubleDouble> missing_;  // of each arc of the base: weight of the ranks without it
@@ -306,13 +309,13 @@ Marginals marginals(std::span<const Index> sizes,
                     const MarginalOptions& options) {
   if (!(options.cost_per_nat > 0) || std::isinf(options.cost_per_nat))
     throw InputError("cost_per_nat must be a finite number above 0");
-  require_solutions(sizes, ranks);
+  std::vector<bool> shared = require_solutions(sizes, ranks);
   Marginals result;
   result.cost_per_nat = options.cost_per_nat;
   result.num_proven = kbest::num_proven(ranks);
   if (ranks.empty()) return result;
   result.weights = weights_of(ranks, options.cost_per_nat);
-  Summation(sizes, ranks, result.weights).finish(sizes, result);
+  Summation(sizes, ranks, result.weights, std::move(shared)).finish(sizes, result);
   return result;
 }
 

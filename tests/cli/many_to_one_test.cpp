@@ -67,6 +67,23 @@ TEST(ManyToOne, IsChecked) {
   EXPECT_THAT(denied.output, HasSubstr("fault: index 2 of dimension 1 is used twice\n"));
 }
 
+// Five solutions; in the best, target 2 shares detection 1: arcs (1 1) and (2 1) of it weigh more
+// than 1 together.
+TEST(ManyToOne, HasMarginals) {
+  const TemporaryFolder folder;
+  write_file(folder / "a.nda", kProblem);
+  const Outcome outcome = run(folder, "nda solve a.nda -q --k 5 --marginals -o a.json");
+  EXPECT_EQ(outcome.code, 0) << outcome.log;
+  EXPECT_THAT(outcome.output, HasSubstr("ranks         5, 5 of them proven\n"));
+  EXPECT_THAT(outcome.output,
+              HasSubstr("         2         1      0.30749      0.99767  1 1\n"
+                        "                                      0.914881  2 1\n"
+                        "                                   6.83112e-05  alone\n"));
+  const Outcome checked = run(folder, "nda check a.nda a.json");
+  EXPECT_EQ(checked.code, 0) << checked.output;
+  EXPECT_THAT(checked.output, HasSubstr("marginals right     yes\n"));
+}
+
 TEST(ManyToOne, IsComparedByWhatKnowsIt) {
   const TemporaryFolder folder;
   write_file(folder / "a.nda", kProblem);

@@ -107,15 +107,13 @@ std::vector<Change> all_changes(const Marginals& right) {
   return changes;
 }
 
-// crossing_tracks: seven solutions, of which the weights of all arcs differ.
-TEST(CheckMarginals, DenyWhateverIsChanged) {
-  const Problem problem = support::crossing_tracks().problem;
+void expect_changes_denied(const Problem& problem, std::size_t least_changes) {
   const Solution right = ranked(problem, 10);
   const CheckReport report = check(problem, right);
   EXPECT_THAT(report.faults, IsEmpty());
   EXPECT_TRUE(report.marginals_right);
   const std::vector<Change> changes = all_changes(*right.marginals);
-  EXPECT_GT(changes.size(), 150u);
+  EXPECT_GT(changes.size(), least_changes);
   for (std::size_t n = 0; n < changes.size(); ++n) {
     SCOPED_TRACE("change " + std::to_string(n));
     Solution wrong = right;
@@ -124,6 +122,23 @@ TEST(CheckMarginals, DenyWhateverIsChanged) {
     EXPECT_THAT(verdict.faults, ElementsAre(StartsWith("marginals: ")));
     EXPECT_FALSE(verdict.marginals_right);
   }
+}
+
+// crossing_tracks: seven solutions, of which the weights of all arcs differ.
+TEST(CheckMarginals, DenyWhateverIsChanged) {
+  expect_changes_denied(support::crossing_tracks().problem, 150);
+}
+
+// Arcs (1,1,1), (1,1,2) and (2,1,1), at -3, -2 and -1, of which any may be chosen: eight solutions.
+TEST(CheckMarginals, DenyChangesWhereIndicesAreShared) {
+  ProblemBuilder builder({2, 1, 2});
+  builder.add_arc({1, 1, 1}, -3);
+  builder.add_arc({1, 1, 2}, -2);
+  builder.add_arc({2, 1, 1}, -1);
+  builder.set_use_bounds(0, 1, {0, 2});
+  builder.set_use_bounds(1, 1, {0, UseBounds::kUnlimited});
+  builder.set_use_bounds(2, 1, {0, 2});
+  expect_changes_denied(std::move(builder).build(), 70);
 }
 
 TEST(CheckMarginals, DenyThoseOfAnotherList) {

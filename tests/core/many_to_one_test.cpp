@@ -240,14 +240,6 @@ TEST(CheckProof, RefusesBoundsOnUses) {
   EXPECT_FALSE(check(shared_detection(), shared_solution(), proof).passed());
 }
 
-TEST(Marginals, AreRefusedWhereASolutionUsesAnIndexTwice) {
-  Solution solution = shared_solution();
-  EXPECT_THROW(marginals(solution), InputError);
-  solution.marginals = Marginals();
-  EXPECT_THAT(check(shared_detection(), solution).faults,
-              ElementsAre("marginals: solution 1 uses index 1 of dimension 2 twice"));
-}
-
 TEST(BoundsOnUses, AreRefusedByWhatDoesNotKnowThem) {
   const Problem problem = shared_detection();
   const std::string where =

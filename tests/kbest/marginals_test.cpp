@@ -393,8 +393,8 @@ TEST(Marginals, RefuseWhatIsNoListOfSolutions) {
             "number 1 of the solutions has an arc of 1 indices, not 2");
   EXPECT_EQ(message({listed(0, {{1, 3}})}, 1),
             "number 1 of the solutions uses index 3 of dimension 2, which has 2");
-  EXPECT_EQ(message({listed(0, {{1, 1}, {1, 2}})}, 1),
-            "number 1 of the solutions uses an index twice");
+  EXPECT_EQ(message({listed(0, {{1, 1}, {1, 1}})}, 1),
+            "number 1 of the solutions has an arc twice");
   EXPECT_EQ(message({listed(0, {{2, 2}, {1, 1}})}, 1),
             "number 1 of the solutions has arcs that are not in order");
 }

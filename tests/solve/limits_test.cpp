@@ -13,7 +13,6 @@
 #include <thread>
 
 #include "core/clock.hpp"
-#include "core/option_table.hpp"
 #include "core/random.hpp"
 #include "nda/check.hpp"
 #include "nda/solve.hpp"
@@ -27,8 +26,6 @@
 namespace nda {
 namespace {
 
-using ::testing::AnyOf;
-using ::testing::Each;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
@@ -104,25 +101,6 @@ TEST(TimeLimit, OfNoTimeStillGivesABoundAndTheSingletons) {
   EXPECT_EQ(solution.status, Status::kTimeLimit);
   expect_usable(hard_problem(), solution);
   ASSERT_EQ(solution.solutions.size(), 1u);
-}
-
-// It ends before the limit, as the next evaluation and the certificate would end after it.
-TEST(TimeLimit, IsWhatCutsTheRelaxationAloneShort) {
-  for (const char* dual_method : {"bundle", "subgradient", "volume", "coordinate"}) {
-    for (const int kept_sets : {2, 3}) {
-      SCOPED_TRACE(std::string(dual_method) + ", kept sets " + std::to_string(kept_sets));
-      Options options;
-      core::set_option("relaxation.dual_method", dual_method, options);
-      options.method = Method::kRelaxation;
-      options.relaxation.kept_sets = kept_sets;
-      options.relaxation.max_evaluations = 1'000'000;
-      options.relaxation.relative_tolerance = 0;
-      options.time_limit_s = 0.01;
-      const Solution solution = solve(hard_problem(), options);
-      EXPECT_EQ(solution.status, Status::kTimeLimit);
-      expect_usable(hard_problem(), solution);
-    }
-  }
 }
 
 // Costs that are small multiples of the smallest number: steps of the dual method underflow.
@@ -335,53 +313,6 @@ TEST(IterationLimit, EndsTheRelaxationAlone) {
   EXPECT_EQ(solution.stats.nodes, 0);
   EXPECT_FALSE(solution.stats.bound_by_branching);
   expect_usable(hard_problem(), solution);
-}
-
-// Sparse, one component: its bound is not met by a packing on the way.
-Problem gapped_problem(int num_dimensions) {
-  support::RandomProblemOptions shape;
-  shape.sizes.assign(static_cast<std::size_t>(num_dimensions), 6);
-  shape.num_arcs = 60;
-  return support::random_problem(1, shape);
-}
-
-TEST(Relaxation, RecoversAtEveryStepInThreeDimensions) {
-  Options options;
-  options.method = Method::kRelaxation;
-  options.relaxation.max_evaluations = 25;
-  options.relaxation.relative_tolerance = 0;
-  const Solution three = solve(gapped_problem(3), options);
-  EXPECT_GT(three.stats.dual_evaluations, 1);
-  EXPECT_EQ(three.stats.recoveries, three.stats.dual_evaluations);
-  const Solution four = solve(gapped_problem(4), options);
-  EXPECT_GT(four.stats.dual_evaluations, 20);
-  EXPECT_GE(four.stats.recoveries, 3) << "at 1, 11, 21";
-  EXPECT_LE(four.stats.recoveries, 4) << "and at the best";
-}
-
-TEST(Relaxation, DoesNothingElse) {
-  Options options;
-  options.method = Method::kRelaxation;
-  std::vector<std::string> events;
-  options.progress = [&](const Progress& progress) {
-    events.push_back(progress.event);
-    return true;
-  };
-  for (const int num_dimensions : {3, 4, 5}) solve(gapped_problem(num_dimensions), options);
-  EXPECT_THAT(events, Not(IsEmpty()));
-  EXPECT_THAT(events, Each(AnyOf("relaxation", "recursive recovery")));
-}
-
-TEST(Relaxation, ProvesWhatHasNoGap) {
-  Options options;
-  options.method = Method::kRelaxation;
-  for (const support::TinyProblem& tiny :
-       {support::crossing_tracks(), support::two_components(), support::zero_zero_cell()}) {
-    SCOPED_TRACE(tiny.name);
-    EXPECT_EQ(solve(tiny.problem, options).status, Status::kOptimal);
-  }
-  // A gap of 1/2 is none where all costs are whole.
-  EXPECT_EQ(solve(support::odd_cycle().problem, options).status, Status::kOptimal);
 }
 
 // Options that end a solve early in one of all ways.
