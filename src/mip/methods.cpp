@@ -47,32 +47,23 @@ struct NdaMethod {
   const char* name;
   const char* about;
   Options (*options)();
-  bool knows_bounds;  // on uses
 };
 
 // Partial branch and bound keeps a buffer of solutions, and cuts nothing before it is full.
 constexpr std::size_t kBuffer = 10;
 
 const NdaMethod kNdaMethods[] = {
-    {"default", "preset default", [] { return preset("default"); }, true},
-    {"exact", "preset exact", [] { return preset("exact"); }, true},
-    {"realtime",
-     "preset realtime, with its own time limit",
-     [] { return preset("realtime"); },
-     true},
-    {"enumeration", "branch and bound from the start (at most 1000 arcs)", enumeration, false},
+    {"default", "preset default", [] { return preset("default"); }},
+    {"exact", "preset exact", [] { return preset("exact"); }},
+    {"realtime", "preset realtime, with its own time limit", [] { return preset("realtime"); }},
+    {"enumeration", "branch and bound from the start (at most 1000 arcs)", enumeration},
     {"relaxation",
      "relaxation and recovery alone, dual by the bundle method",
-     [] { return relaxation_by("bundle"); },
-     false},
-    {"volume",
-     "the same, dual by the volume algorithm",
-     [] { return relaxation_by("volume"); },
-     false},
+     [] { return relaxation_by("bundle"); }},
+    {"volume", "the same, dual by the volume algorithm", [] { return relaxation_by("volume"); }},
     {"subgradient",
      "the same, dual by subgradient steps",
-     [] { return relaxation_by("subgradient"); },
-     false},
+     [] { return relaxation_by("subgradient"); }},
 };
 
 struct Baseline {
@@ -189,10 +180,10 @@ MethodResult run_external(const ExternalSolver& solver,
 Contender make_contender(const NdaMethod& line) {
   Contender method{line.name, MethodKind::kNda, line.about, {}, {}};
   const bool is_enumeration = std::string(line.name) == "enumeration";
-  method.unfit = [&line, is_enumeration](const Problem& problem) {
+  method.unfit = [is_enumeration](const Problem& problem) {
     return is_enumeration && problem.num_arcs() > kEnumerationMaxArcs
                ? more_than(kEnumerationMaxArcs, "arcs")
-               : bounds_fault(line.knows_bounds, problem);
+               : std::string();
   };
   method.run = [&line](const Problem& problem, const RunLimits& limits) {
     return run_nda(problem, line.options(), limits);
@@ -202,7 +193,10 @@ Contender make_contender(const NdaMethod& line) {
 
 Contender make_contender(const PresetInfo& line) {
   Contender method{line.name, MethodKind::kNda, line.about, {}, {}};
-  method.unfit = [](const Problem& problem) { return bounds_fault(false, problem); };
+  const bool knows_bounds = preset(line.name).ranking.method == RankingMethod::kExact;
+  method.unfit = [knows_bounds](const Problem& problem) {
+    return bounds_fault(knows_bounds, problem);
+  };
   method.run = [&line](const Problem& problem, const RunLimits& limits) {
     return run_nda(problem, preset(line.name), limits);
   };

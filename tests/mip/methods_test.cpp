@@ -106,25 +106,21 @@ TEST(Methods, ThatDoNotKnowBoundsSayWhichTheyMet) {
   builder.set_use_bounds(0, 2, {0, 1});
   const Problem problem = std::move(builder).build();
   std::vector<std::string> unfit;
-  for (const Contender& method : choose_methods({"nda", "baseline"}, bare(scratch)).methods) {
+  for (const Contender& method :
+       choose_methods({"nda", "paper", "baseline"}, bare(scratch)).methods) {
     const std::string reason = method.unfit(problem);
     if (reason.empty()) continue;
     EXPECT_EQ(reason, "index 2 of dimension 1 has bounds 0..1");
     unfit.push_back(method.name);
   }
   EXPECT_THAT(unfit,
-              ElementsAre("enumeration",
-                          "relaxation",
-                          "volume",
-                          "subgradient",
-                          "random-greedy",
-                          "max-regret",
-                          "sgts"));
+              ElementsAre("partial-bnb", "murty-bnb", "random-greedy", "max-regret", "sgts"));
 }
 
-TEST(Methods, OfTheBaselinesAgreeOnBoundsOnUses) {
+// The engine, its relaxations and the presets of papers beside the baselines.
+TEST(Methods, AgreeOnBoundsOnUses) {
   const Scratch scratch;
-  const MethodChoice choice = choose_methods({"baseline"}, bare(scratch));
+  const MethodChoice choice = choose_methods({"nda", "paper", "baseline"}, bare(scratch));
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     const support::RandomCase random = support::random_bounded_case(seed);
     SCOPED_TRACE(random.description);
@@ -133,6 +129,7 @@ TEST(Methods, OfTheBaselinesAgreeOnBoundsOnUses) {
         run_methods("random", random.problem, choice.methods, {60, {}});
     EXPECT_THAT(contradictions(comparison), IsEmpty());
     EXPECT_TRUE(same_value(comparison, comparison.best_cost(), truth ? truth->cost : kInfinity));
+    for (const MethodResult& result : comparison.results) EXPECT_FALSE(result.faulty);
   }
 }
 

@@ -27,7 +27,6 @@ namespace nda {
 namespace {
 
 using ::testing::IsEmpty;
-using ::testing::Not;
 
 constexpr double kTie = 1e-9;
 
