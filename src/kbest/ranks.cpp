@@ -9,8 +9,9 @@ namespace {
 // A bound this close to the cost, as a share of it, proves it.
 constexpr double kNegligible = 1e-9;
 
+// What was lost by rounding or overflow, no neighbour brings back.
 void take_cost(Solution& solution, RankedSolution& first) {
-  if (first.cost < solution.cost &&
+  if (solution.status != Status::kPrecisionLost && first.cost < solution.cost &&
       first.cost - solution.lower_bound <= kNegligible * std::abs(first.cost)) {
     solution.proven = first.proven = true;
     solution.status = Status::kOptimal;

@@ -87,6 +87,29 @@ TEST(KBest, PutsABetterNeighbourFirst) {
   EXPECT_GT(improved, 0);
 }
 
+// Costs overflow: leaving all alone is all that solve() has, at 0.  The best neighbour meets the
+// bound but for rounding, which proves nothing of costs that large.
+TEST(KBest, BringsNoLostPrecisionBack) {
+  ProblemBuilder builder({2, 2, 2});
+  builder.add_arc({1, 1, 1}, -1e300);
+  builder.add_arc({2, 2, 2}, 1e300);
+  builder.add_arc({1, 2, 1}, -1);
+  const Problem problem = std::move(builder).build();
+  const std::string reason = solve(problem).reason;
+  EXPECT_FALSE(reason.empty());
+  for (const RankingMethod method : {RankingMethod::kExact, RankingMethod::kAlignments}) {
+    Options options;
+    options.ranking.method = method;
+    const Solution solution = solve_k_best(problem, 5, options);
+    EXPECT_EQ(solution.status, Status::kPrecisionLost);
+    EXPECT_EQ(solution.reason, reason);
+    EXPECT_FALSE(solution.proven);
+    EXPECT_EQ(num_proven(solution), 0u);
+    EXPECT_THAT(check(problem, solution).faults, IsEmpty());
+  }
+  EXPECT_EQ(solve_k_best(problem, 5).cost, -1e300);
+}
+
 TEST(KBest, HasNothingToRankWhereThereIsNoSolution) {
   ProblemBuilder builder({2, 1});
   builder.add_arc({1, 1}, 3);
