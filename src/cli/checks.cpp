@@ -23,14 +23,17 @@ CLI::Validator at_least(double least) {
       "");
 }
 
-CLI::Validator whole_number() {
+CLI::Validator whole_number(std::uint64_t least, int bits) {
   return CLI::Validator(
-      [](const std::string& text) {
+      [least, bits](const std::string& text) {
         std::uint64_t value = 0;
         const char* end = text.data() + text.size();
         const auto [stop, error] = std::from_chars(text.data(), end, value);
-        if (error == std::errc() && stop == end && value >= 1) return std::string();
-        return "'" + text + "' given, it must be a whole number, 1 or more, below 2^64";
+        const bool is_whole = error == std::errc() && stop == end;
+        const bool fits = value >> (bits - 1) <= 1;  // by 64 there is no shift
+        if (is_whole && value >= least && fits) return std::string();
+        return "'" + text + "' given, it must be a whole number, " + std::to_string(least) +
+               " or more, below 2^" + std::to_string(bits);
       },
       "");
 }

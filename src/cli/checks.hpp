@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <string>
 
 namespace nda::cli {
@@ -10,8 +11,9 @@ namespace nda::cli {
 /// A number, `least` or more.  NaN is refused.
 CLI::Validator at_least(double least);
 
-/// A whole number, 1 or more, that 64 bits hold.
-CLI::Validator whole_number();
+/// A whole number, `least` or more, below 2^bits.
+/// @param bits  in [1, 64].
+CLI::Validator whole_number(std::uint64_t least = 1, int bits = 64);
 
 /// A finite number above `limit`.
 CLI::Validator above(double limit);

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <iostream>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -22,6 +23,9 @@
 
 namespace nda::cli {
 namespace {
+
+// Of a number of dimensions, an int.
+constexpr int kDimensionBits = std::numeric_limits<int>::digits;
 
 // An option of the table and the text it is set to.
 struct Setting {
@@ -378,19 +382,20 @@ void add_warm_start(CLI::App& parser, const std::shared_ptr<SolveArguments>& arg
   CLI::Option* file =
       parser.add_option("--warm-start",
                         arguments->warm_start,
-                        "start from what --save-warm-start wrote, as of the window before");
+                        "start from what --save-warm-start wrote, as of the window before (not "
+                        "with --k above 1)");
   file->check(file_name());
   CLI::Option* shift =
       parser.add_option("--shift",
                         arguments->shift,
                         "the window dropped so many dimensions since, and gained as many at its "
                         "end");
-  shift->check(whole_number())->needs(file);
+  shift->check(whole_number(0, kDimensionBits))->needs(file);
   parser
       .add_option("--keep",
                   arguments->keep,
                   "but kept so many at its front, as a list of tracks (with --shift)")
-      ->check(whole_number())
+      ->check(whole_number(0, kDimensionBits))
       ->needs(shift);
   parser
       .add_option("--save-warm-start",

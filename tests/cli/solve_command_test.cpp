@@ -209,6 +209,11 @@ TEST(SolveCommand, NamesWhatIsWrongInOneShortLine) {
        "bundle, subgradient, volume or coordinate\n"},
       {"a.nda --preset magic", "nda: preset 'magic' is not known"},
       {"a.nda --warm-start a.json --keep 1", "nda: --keep requires --shift"},
+      {"a.nda --warm-start a.json --shift 3000000000",
+       "nda: --shift: '3000000000' given, it must be a whole number, 0 or more, below 2^31 ("},
+      {"a.nda --warm-start a.json --shift 1 --keep -1",
+       "nda: --keep: '-1' given, it must be a whole number, 0 or more, below 2^31 ("},
+      {"a.nda --k 0", "nda: --k: '0' given, it must be a whole number, 1 or more, below 2^64 ("},
       {"a.nda --marginals", "nda: --marginals requires --k ("},
       {"a.nda --k 2 --cost-per-nat 2", "nda: --cost-per-nat requires --marginals ("},
       {"a.nda --k 2 --marginals --cost-per-nat 0",
@@ -241,7 +246,13 @@ TEST(SolveCommand, StartsFromTheLastWindow) {
   ASSERT_EQ(run(folder, generate + "0 -o a.nda && " + generate + "1 -o b.nda").code, 0);
   ASSERT_EQ(run(folder, "nda solve a.nda --save-warm-start a.warm").code, 0);
   const std::string solve = "nda solve b.nda --warm-start a.warm --output b.json";
-  for (const char* moved : {"", " --shift 1", " --shift 1 --keep 1", " --shift 9"}) {
+  for (const char* moved : {"",
+                            " --shift 1",
+                            " --shift 1 --keep 1",
+                            " --shift 1 --keep 0",
+                            " --shift 0",
+                            " --shift 9",
+                            " --shift 2147483647 --keep 2147483647"}) {
     const Outcome outcome = run(folder, solve + moved);
     EXPECT_EQ(outcome.code, 0);
     EXPECT_THAT(outcome.output, HasSubstr("(proven optimal)"));
