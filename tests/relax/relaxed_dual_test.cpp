@@ -147,8 +147,8 @@ KeptSets keep(int num_kept, KeptSolver solve = solve_exactly) {
 }
 
 template <typename Check>
-void for_all_relaxations(std::uint64_t num_components, Check&& check) {
-  for (std::uint64_t seed = 0; seed < num_components; ++seed) {
+void for_all_relaxations(Check&& check) {
+  for (std::uint64_t seed = 0; seed < kComponents; ++seed) {
     SCOPED_TRACE(seed);
     const Component component = small_component(seed);
     Random random(seed);
@@ -162,7 +162,7 @@ void for_all_relaxations(std::uint64_t num_components, Check&& check) {
 }
 
 TEST(Relaxations, ValuesTransferFromTheCollapsedProblemAndBack) {
-  for_all_relaxations(kComponents, [](const Component& component, int m, const auto& u, Random&) {
+  for_all_relaxations([](const Component& component, int m, const auto& u, Random&) {
     KeptDual function(component, keep(m));
     const double value = evaluate(function, u).value;
     EXPECT_NEAR(value, least_relaxed_cost(component, m, u), kTie);
@@ -175,49 +175,47 @@ TEST(Relaxations, ValuesTransferFromTheCollapsedProblemAndBack) {
 // Theorem 3.1 for a packing of the kept sets that is not the best: w^n is feasible for (3.2) and
 // costs as much.
 TEST(Relaxations, SuboptimalPackingsTransferToo) {
-  for_all_relaxations(
-      kComponents / 4, [](const Component& component, int m, const auto& u, Random&) {
-        KeptSets kept = keep(m, solve_badly);
-        kept.merit = false;
-        KeptDual function(component, kept);
-        const double value = evaluate(function, u).value;
-        EXPECT_NEAR(value, relaxed_cost(component, m, u, function.chosen_arcs()), kTie);
-        EXPECT_GE(value, least_relaxed_cost(component, m, u) - kTie);
-        std::vector<int> uses(component.num_slots(), 0);
-        for (const ArcId a : function.chosen_arcs()) {
-          for (int k = 0; k < m; ++k) {
-            if (component.index(k, a) != 0) {
-              EXPECT_EQ(++uses[component.slot(k, a)], 1);
-            }
-          }
+  for_all_relaxations([](const Component& component, int m, const auto& u, Random&) {
+    KeptSets kept = keep(m, solve_badly);
+    kept.merit = false;
+    KeptDual function(component, kept);
+    const double value = evaluate(function, u).value;
+    EXPECT_NEAR(value, relaxed_cost(component, m, u, function.chosen_arcs()), kTie);
+    EXPECT_GE(value, least_relaxed_cost(component, m, u) - kTie);
+    std::vector<int> uses(component.num_slots(), 0);
+    for (const ArcId a : function.chosen_arcs()) {
+      for (int k = 0; k < m; ++k) {
+        if (component.index(k, a) != 0) {
+          EXPECT_EQ(++uses[component.slot(k, a)], 1);
         }
-      });
+      }
+    }
+  });
 }
 
 // Theorem 3.2: whatever is feasible for (3.2) gives a packing of cells (3.6) that costs no more.
 TEST(Relaxations, EveryRelaxedSolutionCollapsesAtNoHigherCost) {
-  for_all_relaxations(
-      kComponents / 20, [](const Component& component, int m, const auto& u, Random&) {
-        const Cells cells = find_cells(component, m);
-        std::vector<double> d(cells.num_cells());
-        std::vector<ArcId> from(cells.num_cells());
-        std::vector<double> relaxed_u = u;
-        collapse(component, cells, relaxed_u, d, from);
-        const double free = relaxed_cost(component, m, u, {});
-        double zero_cell = 0;
-        for (ArcId a = 0; a < cells.num_free(); ++a)
-          zero_cell += std::min(0.0, reduced(component, m, u, a));
-        RelaxedSolutions(component, m, [&](const std::vector<ArcId>& arcs) {
-          double cost = free + zero_cell;
-          for (const ArcId a : arcs) {
-            if (a < cells.num_free()) continue;
-            const auto cell = std::upper_bound(cells.first_arc.begin(), cells.first_arc.end(), a) -
-                              cells.first_arc.begin() - 1;
-            cost += d[static_cast<std::size_t>(cell)];
-          }
-          EXPECT_LE(cost, relaxed_cost(component, m, u, arcs) + kTie);
-        });
-      });
+  for_all_relaxations([](const Component& component, int m, const auto& u, Random&) {
+    const Cells cells = find_cells(component, m);
+    std::vector<double> d(cells.num_cells());
+    std::vector<ArcId> from(cells.num_cells());
+    std::vector<double> relaxed_u = u;
+    collapse(component, cells, relaxed_u, d, from);
+    const double free = relaxed_cost(component, m, u, {});
+    double zero_cell = 0;
+    for (ArcId a = 0; a < cells.num_free(); ++a)
+      zero_cell += std::min(0.0, reduced(component, m, u, a));
+    RelaxedSolutions(component, m, [&](const std::vector<ArcId>& arcs) {
+      double cost = free + zero_cell;
+      for (const ArcId a : arcs) {
+        if (a < cells.num_free()) continue;
+        const auto cell = std::upper_bound(cells.first_arc.begin(), cells.first_arc.end(), a) -
+                          cells.first_arc.begin() - 1;
+        cost += d[static_cast<std::size_t>(cell)];
+      }
+      EXPECT_LE(cost, relaxed_cost(component, m, u, arcs) + kTie);
+    });
+  });
 }
 
 // Theorem 4.1: (4.2a), and (4.2b) at any multipliers.
@@ -241,17 +239,16 @@ TEST(Relaxations, OfMoreKeptSetsAreNoWorseAndNoneExceedsTheOptimum) {
 
 // Theorem 4.1, Definition 4.2 and (4.4).
 TEST(Relaxations, AreConcaveAndSupportedByTheirSubgradients) {
-  for_all_relaxations(kComponents / 4,
-                      [](const Component& component, int m, const auto& u, Random& random) {
-                        KeptDual function(component, keep(m));
-                        const std::vector<double> w = random_multipliers(component, random);
-                        support::expect_concave(function, u, w, kTie);
-                      });
+  for_all_relaxations([](const Component& component, int m, const auto& u, Random& random) {
+    KeptDual function(component, keep(m));
+    const std::vector<double> w = random_multipliers(component, random);
+    support::expect_concave(function, u, w, kTie);
+  });
 }
 
 // Theorem 4.3, with relaxed problems that are not solved to their optimum.
 TEST(MeritFunction, NeverExceedsTheDualFunction) {
-  for_all_relaxations(kComponents, [](const Component& component, int m, const auto& u, Random&) {
+  for_all_relaxations([](const Component& component, int m, const auto& u, Random&) {
     KeptDual function(component, keep(m, solve_badly));
     const double value = evaluate(function, u).value;
     EXPECT_LE(value, least_relaxed_cost(component, m, u) + kTie);
@@ -262,23 +259,22 @@ TEST(MeritFunction, NeverExceedsTheDualFunction) {
 // A plane of a packing that is not the best is too high, but nowhere too low; without a merit
 // function the value is where it touches.
 TEST(MeritFunction, IsWhatMakesPlanesCutIntoTheDualFunction) {
-  for_all_relaxations(
-      kComponents / 4, [](const Component& component, int m, const auto& u, Random& random) {
-        KeptSets kept = keep(m, solve_badly);
-        kept.merit = false;
-        KeptDual function(component, kept);
-        const Evaluation at_u = evaluate(function, u);
-        const std::vector<double> w = random_multipliers(component, random);
-        double plane = at_u.value;
-        for (std::size_t slot = function.first_slot(); slot < u.size(); ++slot)
-          plane += at_u.subgradient[slot - function.first_slot()] * (w[slot] - u[slot]);
-        EXPECT_GE(plane, least_relaxed_cost(component, m, w) - kTie);
-        EXPECT_LE(function.bound(), least_relaxed_cost(component, m, u));
-      });
+  for_all_relaxations([](const Component& component, int m, const auto& u, Random& random) {
+    KeptSets kept = keep(m, solve_badly);
+    kept.merit = false;
+    KeptDual function(component, kept);
+    const Evaluation at_u = evaluate(function, u);
+    const std::vector<double> w = random_multipliers(component, random);
+    double plane = at_u.value;
+    for (std::size_t slot = function.first_slot(); slot < u.size(); ++slot)
+      plane += at_u.subgradient[slot - function.first_slot()] * (w[slot] - u[slot]);
+    EXPECT_GE(plane, least_relaxed_cost(component, m, w) - kTie);
+    EXPECT_LE(function.bound(), least_relaxed_cost(component, m, u));
+  });
 }
 
 TEST(Relaxations, OfNoAndTwoKeptSetsAreTheSeparableDualAndTheDualFunction) {
-  for (std::uint64_t seed = 0; seed < kComponents / 4; ++seed) {
+  for (std::uint64_t seed = 0; seed < kComponents; ++seed) {
     SCOPED_TRACE(seed);
     const Component component = small_component(seed);
     Random random(seed);
@@ -295,28 +291,26 @@ TEST(Relaxations, OfNoAndTwoKeptSetsAreTheSeparableDualAndTheDualFunction) {
 }
 
 TEST(Relaxations, DoNotDependOnDecomposition) {
-  for_all_relaxations(kComponents / 4,
-                      [](const Component& component, int m, const auto& u, Random&) {
-                        KeptSets whole = keep(m);
-                        whole.decompose = false;
-                        KeptDual together(component, whole);
-                        KeptDual split(component, keep(m));
-                        EXPECT_NEAR(evaluate(together, u).value, evaluate(split, u).value, kTie);
-                      });
+  for_all_relaxations([](const Component& component, int m, const auto& u, Random&) {
+    KeptSets whole = keep(m);
+    whole.decompose = false;
+    KeptDual together(component, whole);
+    KeptDual split(component, keep(m));
+    EXPECT_NEAR(evaluate(together, u).value, evaluate(split, u).value, kTie);
+  });
 }
 
 TEST(Relaxations, LeaveMultipliersThatProveABound) {
-  for_all_relaxations(
-      kComponents / 4, [](const Component& component, int m, const auto& u, Random&) {
-        KeptDual function(component, keep(m, solve_badly));
-        evaluate(function, u);
-        std::vector<double> all(component.num_slots(), 99.0);
-        function.multipliers(all);
-        const double lower = make_feasible(component, all);
-        EXPECT_EQ(support::multiplier_fault(component, all), "");
-        EXPECT_LE(lower, support::best_cost(component) + kTie);
-        EXPECT_GE(lower, function.bound() - kTie);  // Psi is what they prove, or less
-      });
+  for_all_relaxations([](const Component& component, int m, const auto& u, Random&) {
+    KeptDual function(component, keep(m, solve_badly));
+    evaluate(function, u);
+    std::vector<double> all(component.num_slots(), 99.0);
+    function.multipliers(all);
+    const double lower = make_feasible(component, all);
+    EXPECT_EQ(support::multiplier_fault(component, all), "");
+    EXPECT_LE(lower, support::best_cost(component) + kTie);
+    EXPECT_GE(lower, function.bound() - kTie);  // Psi is what they prove, or less
+  });
 }
 
 // Four dimensions, the first three an odd cycle: (1,1,0,0), (0,1,1,0), (1,0,1,0) at -1.  Linear
@@ -387,7 +381,7 @@ double least_unshifted_cost(const Problem& problem,
 }
 
 TEST(CostShift, MovesTheDualFunctionAndAddsAConstant) {
-  for (std::uint64_t seed = 0; seed < kComponents / 4; ++seed) {
+  for (std::uint64_t seed = 0; seed < kComponents; ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
     support::RandomProblemOptions options;
