@@ -53,7 +53,8 @@ enum class Reductions {
 
 /// Lagrangian relaxation (report, sections 3 and 4; docs/relaxations.md).
 struct RelaxationOptions {
-  /// m, the sets that are kept, of N never more than N - 1; in [0, 64].  With three and more the
+  /// m, the sets that are kept, of N never more than N - 1; in [0, 64].  Of two dimensions both are
+  /// kept, whatever m is: the relaxed problem is the problem.  With three and more the
   /// relaxed problems are assignment problems of m dimensions, relaxed to min(kept_sets, m - 1).
   /// Recovery problems keep two.
   int kept_sets = 2;
@@ -75,8 +76,8 @@ struct RelaxationOptions {
   DualMethod dual_method = DualMethod::kBundleTrust;
   Assign2dMethod assign2d = Assign2dMethod::kShortestPath;  ///< evaluates the dual function
   RecoveryMethod recovery = RecoveryMethod::kRecursive;
-  /// Of the dual function of each large component; >= 1.  At most 50 where a linear program
-  /// follows (Method::kAuto).
+  /// Of the dual function of each large component; >= 1.  At most max(50, indices / 25) where a
+  /// linear program follows (Method::kAuto), with bounds on uses 30.
   int max_evaluations = 300;
   int recovery_evaluations = 20;  ///< of each lower-dimensional recovery problem; >= 1
   /// Recover at every so many evaluations, at every one in three dimensions, and at the best; >= 1.

@@ -132,7 +132,8 @@ void add_kept_sets(std::vector<OptionRow>& rows) {
       "relaxation.kept_sets",
       [](auto& options) -> auto& { return options.relaxation.kept_sets; },
       {0, kMostSets},
-      "sets that the relaxation keeps, of N at most N - 1"));
+      "sets that the relaxation keeps, of N at most N - 1; in two dimensions always both: the "
+      "assignment"));
   rows.push_back(number<std::size_t>(
       "relaxation.kept_exact_arcs",
       [](auto& options) -> auto& { return options.relaxation.kept_exact_arcs; },
@@ -198,8 +199,8 @@ void add_relaxation(std::vector<OptionRow>& rows) {
       "relaxation.max_evaluations",
       [](auto& options) -> auto& { return options.relaxation.max_evaluations; },
       {1},
-      "evaluations of the dual function of each large component (auto: at most 50 before a linear "
-      "program)"));
+      "evaluations of the dual function of each large component (auto: before a linear program at "
+      "most max(50, indices / 25), with bounds on uses 30)"));
   rows.push_back(number<int>(
       "relaxation.recovery_evaluations",
       [](auto& options) -> auto& { return options.relaxation.recovery_evaluations; },
