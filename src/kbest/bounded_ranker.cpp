@@ -21,6 +21,10 @@
 // Within a part the search for the best one goes on: its cutoff is the k-th best cost, and a branch
 // ends where reduced costs leave one choice.  Where a limit stops it, what it bounds from below
 // still proves the ranks that cost no more.
+//
+// That bound is of no use as long as any branch is open high up in the tree.  So a long list is
+// made in passes, each for some times as many ranks as the one before: a limit leaves what the last
+// whole pass proved, and all of them take little more than the last.
 
 namespace nda::kbest {
 
@@ -29,6 +33,17 @@ using bounded::Choice;
 using core::ArcId;
 
 namespace {
+
+constexpr std::size_t kFirstPass = 10;  // ranks that the first pass is for, or more
+constexpr std::size_t kGrowth = 4;      // from pass to pass, at most
+
+// Such that kGrowth times as many, and so on, end at what is planned.
+std::size_t first_pass(std::size_t listed, std::size_t planned) {
+  const std::size_t least = std::max(kFirstPass, listed + 1);
+  std::size_t count = planned;
+  while (count / kGrowth >= least) count = (count + kGrowth - 1) / kGrowth;
+  return count;
+}
 
 // The arcs that no bound of 0 forbids.
 std::vector<ArcId> usable_arcs(const Problem& problem) {
@@ -53,9 +68,21 @@ bool BoundedRanker::list(std::size_t enough, std::size_t planned, const RankLimi
   const auto is_done = [&] { return has_all_ || listed_.size() >= enough; };
   if (is_done()) return true;
   if (!look(limits.deadline)) return false;
-  if (is_done()) return true;
-  const bool is_bounded = planned - 2 < neighbours_.size();
-  const double reach = is_bounded ? std::max(0.0, neighbours_[planned - 2].rise) : kInfinity;
+  RankLimits left = limits;
+  const std::int64_t before = nodes_;
+  std::size_t count = first_pass(listed_.size(), planned);
+  while (!is_done()) {
+    if (!pass(count, left) || count == planned) break;
+    left.max_nodes = limits.max_nodes - (nodes_ - before);
+    count = std::min(planned, kGrowth * count);
+  }
+  return is_done();
+}
+
+// Lists so many, or what the limits let it prove of them; then it returns false.
+bool BoundedRanker::pass(std::size_t k, const RankLimits& limits) {
+  const bool is_bounded = k - 2 < neighbours_.size();
+  const double reach = is_bounded ? std::max(0.0, neighbours_[k - 2].rise) : kInfinity;
   core::Cutter cutter;
   const BoundedComponent near = bounded::cut_arcs(whole_, arcs_within(reach), cutter);
   RankLimits left = limits;
@@ -68,11 +95,12 @@ bool BoundedRanker::list(std::size_t enough, std::size_t planned, const RankLimi
     const std::vector<ArcId> arcs =
         core::at_positions(near.graph.arc_origin, part.graph.arc_origin);
     left.max_nodes = std::max<std::int64_t>(0, limits.max_nodes - (nodes_ - before));
-    parts.push_back(rank(std::move(part), arcs, reach, planned, left, combinations));
+    parts.push_back(rank(std::move(part), arcs, reach, k, left, combinations));
   }
   if (seen < near.num_arcs()) return false;
-  add_sums(parts, planned, combinations);
-  return is_done();
+  add_sums(parts, k, combinations);
+  return std::all_of(
+      parts.begin(), parts.end(), [](const PartList& part) { return part.is_complete; });
 }
 
 // At the problem, once; the best solution is listed.
@@ -146,7 +174,8 @@ BoundedRanker::PartList BoundedRanker::rank(BoundedComponent part,
       combination = combinations.join(combination, combinations.single(arcs[a]));
     result.list.push_back({choice.cost - best.cost, combination});
   }
-  if (found.end != bounded::SearchEnd::kComplete) {
+  result.is_complete = found.end == bounded::SearchEnd::kComplete;
+  if (!result.is_complete) {
     result.reached = found.lower - best.cost;
   } else {
     result.reached = result.list.size() == k ? result.list.back().slack : wanted.below - best.cost;

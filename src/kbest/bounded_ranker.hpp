@@ -13,8 +13,8 @@
 namespace nda::kbest {
 
 /// The solutions of a problem with bounds on uses: those of each part are listed by the search that
-/// finds the best one (bounded::list_best), and the least sums of one of each are the answer.  A
-/// call that lists more searches anew.
+/// finds the best one (bounded::list_best), and the least sums of one of each are the answer.  Long
+/// lists are made in passes, and every pass searches anew, as does a call that lists more.
 class BoundedRanker : public Ranker {
  public:
   BoundedRanker(const Problem& problem, const Solution& solution);
@@ -28,10 +28,12 @@ class BoundedRanker : public Ranker {
   // The wanted of a part, by what they cost more than the best solution's.
   struct PartList {
     RankedList list;
-    double reached = 0;  // none that is not in the list costs less than this more
+    double reached = 0;        // none that is not in the list costs less than this more
+    bool is_complete = false;  // no limit stopped it
   };
 
   bool look(const core::Deadline& deadline);
+  bool pass(std::size_t k, const RankLimits& limits);
   std::vector<core::ArcId> arcs_within(double reach) const;
   PartList rank(bounded::BoundedComponent part,
                 std::span<const core::ArcId> arcs,

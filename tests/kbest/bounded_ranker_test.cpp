@@ -127,6 +127,26 @@ TEST(BoundedKBest, ProvesNothingWrongAtALimitOfNodes) {
   EXPECT_GT(proven_at_limits, 10);
 }
 
+// Lists are made in passes, for 20, 80 and 320: the nodes of the 20 best are enough for the first,
+// however many those of 320 are.
+TEST(BoundedKBest, KeepsWhatTheLastWholePassProved) {
+  support::MergedTracksOptions tracks;
+  tracks.tracks = 12;
+  const Problem problem = support::MergedTracks(tracks).make();
+  ASSERT_TRUE(problem.is_many_to_one());
+  const Solution twenty = solve_k_best(problem, 20);
+  ASSERT_EQ(num_proven(twenty), 20u);
+  Options options;
+  options.branch.max_nodes = twenty.stats.nodes + 1;
+  const Solution many = solve_k_best(problem, 320, options);
+  expect_sound(problem, many);
+  EXPECT_GE(num_proven(many), 20u);
+  EXPECT_LT(num_proven(many), 320u);
+  std::vector<double> first = costs_of(many.solutions);
+  first.resize(20);
+  EXPECT_THAT(costs_of(twenty.solutions), Pointwise(DoubleNear(kTie), first));
+}
+
 TEST(BoundedKBest, KeepsItsDeadline) {
   support::MergedTracksOptions tracks;
   tracks.tracks = 60;
