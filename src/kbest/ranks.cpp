@@ -44,10 +44,8 @@ std::size_t num_proven(std::span<const RankedSolution> ranks) {
 }
 
 void adopt(Solution& solution, std::vector<RankedSolution> ranks) {
-  if (!solution.proven) {
-    sort_by_cost(ranks);
-    take_cost(solution, ranks.front());
-  }
+  if (!solution.proven) sort_by_cost(ranks);
+  take_cost(solution, ranks.front());
   number(ranks);
   solution.solutions = std::move(ranks);
 }

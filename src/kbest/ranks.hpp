@@ -19,10 +19,10 @@ void number(std::vector<RankedSolution>& ranks);
 /// How many of the first are proven.
 std::size_t num_proven(std::span<const RankedSolution> ranks);
 
-/// Makes `ranks`, which are not empty, the solutions of `solution`, numbered as they come.  Where
-/// its first was not proven, the best of them may be better: then they are sorted, cost and bound
-/// follow, and what meets the bound is optimal, unless precision was lost.  Costs of component
-/// reports stay as they are.
+/// Makes `ranks`, which are not empty, the solutions of `solution`, numbered as they come.  Cost
+/// and bound follow the first of them, which may differ by rounding.  Where the first of `solution`
+/// was not proven, the best of them may be better: then they are sorted, and what meets the bound
+/// is optimal, unless precision was lost.  Costs of component reports stay as they are.
 void adopt(Solution& solution, std::vector<RankedSolution> ranks);
 
 }  // namespace nda::kbest

@@ -15,6 +15,7 @@
 #include "nda/generate.hpp"
 #include "nda/solve.hpp"
 #include "support/random_problems.hpp"
+#include "support/tiny_problems.hpp"
 
 namespace nda {
 namespace {
@@ -250,6 +251,30 @@ TEST(KBest, RanksScaledAndShiftedProblemsAlike) {
     ASSERT_EQ(costs.size(), other.size());
     for (std::size_t r = 0; r < costs.size(); ++r) EXPECT_NEAR(other[r], 4 * costs[r] + 800, 1e-7);
   }
+}
+
+// Costs of all sizes: two solutions cost the same up to rounding, and ranking has the other first.
+TEST(KBest, CostsWhatItsFirstRankCosts) {
+  const Problem problem = support::make_problem({4, 1, 3},
+                                                {{{4, 1, 2}, -41508825.51677927},
+                                                 {{2, 1, 0}, -87317713132.03326},
+                                                 {{0, 1, 3}, -382394467.1991042},
+                                                 {{3, 0, 3}, -38435365357.6526},
+                                                 {{4, 0, 3}, 5072.455327766079},
+                                                 {{4, 1, 3}, -814613629382.9437},
+                                                 {{2, 1, 2}, 0.021497794332682042},
+                                                 {{1, 1, 1}, -5.918650983600635e-09},
+                                                 {{1, 1, 2}, -7.609294145830435},
+                                                 {{2, 1, 1}, -7.771023631335665e-07},
+                                                 {{2, 0, 3}, -11988.477866590896},
+                                                 {{2, 0, 0}, 1.4068090765011652e-07},
+                                                 {{4, 0, 0}, -57745728161.38247},
+                                                 {{0, 0, 1}, kInfinity},
+                                                 {{0, 0, 3}, 0.16951929619711104}});
+  const Solution solution = solve_k_best(problem, 3, {});
+  ASSERT_FALSE(solution.solutions.empty());
+  EXPECT_EQ(solution.cost, solution.solutions.front().cost);
+  EXPECT_THAT(check(problem, solution).faults, ::testing::IsEmpty());
 }
 
 }  // namespace
