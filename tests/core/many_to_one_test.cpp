@@ -11,6 +11,7 @@
 #include "nda/marginals.hpp"
 #include "nda/proof.hpp"
 #include "support/brute_force.hpp"
+#include "support/many_to_one_problems.hpp"
 #include "support/matchers.hpp"
 #include "support/random_problems.hpp"
 
@@ -36,26 +37,12 @@ std::string message_of(const std::function<void()>& action) {
   return "no error";
 }
 
-// Two targets, each missed at 4, and one detection, a false alarm at 1, which both may share
-// (1..2).  Taking (1,1) and (2,1) costs 2 + 3 = 5; one target alone 2 + 4 or 3 + 4; none 4 + 4 + 1.
-// u = 2 3 | 0 proves 5: 2 + 3 + min(0, 1) * lo + min(0, 0) + min(0, 0).
-Problem shared_detection() {
-  ProblemBuilder builder({2, 1});
-  builder.add_arc({1, 0}, 4);
-  builder.add_arc({2, 0}, 4);
-  builder.add_arc({0, 1}, 1);
-  builder.add_arc({1, 1}, 2);
-  builder.add_arc({2, 1}, 3);
-  builder.set_use_bounds(1, 1, {1, 2});
-  return std::move(builder).build();
-}
-
 Solution shared_solution() {
-  return core::right_solution(shared_detection(), {5, {{1, 1}, {2, 1}}}, {{2, 3}, {0}});
+  return core::right_solution(support::shared_detection(), {5, {{1, 1}, {2, 1}}}, {{2, 3}, {0}});
 }
 
 TEST(ProblemBuilder, KeepsBoundsOnUses) {
-  const Problem problem = shared_detection();
+  const Problem problem = support::shared_detection();
   EXPECT_TRUE(problem.is_many_to_one());
   EXPECT_TRUE(problem.use_bounds(0).empty());
   EXPECT_EQ(problem.use_bounds(0, 2), UseBounds{});
@@ -112,7 +99,7 @@ TEST(SingletonUses, AreAsFewAsAllowedOrAsManyWhereTheyPay) {
 }
 
 TEST(Check, AcceptsASharedDetection) {
-  const CheckReport report = check(shared_detection(), shared_solution());
+  const CheckReport report = check(support::shared_detection(), shared_solution());
   EXPECT_THAT(report.faults, IsEmpty());
   EXPECT_EQ(report.cost, 5);
   EXPECT_DOUBLE_EQ(report.certificate_bound, 5);
@@ -126,7 +113,7 @@ TEST(Check, NamesWhatBoundsForbid) {
     solution.solutions.push_back({1, 0, false, std::move(arcs)});
     return check(problem, solution).faults;
   };
-  EXPECT_THAT(faults_of(shared_detection(), {{1, 1}, {1, 1}}),
+  EXPECT_THAT(faults_of(support::shared_detection(), {{1, 1}, {1, 1}}),
               AllOf(Contains("arc (1 1) is chosen twice"),
                     Contains("index 1 of dimension 1 is used twice")));
   ProblemBuilder builder({3, 1});
@@ -234,14 +221,14 @@ TEST(CheckProof, RefusesBoundsOnUses) {
   Proof proof;
   proof.sizes = {2, 1};
   proof.num_arcs = 2;
-  const ProofReport report = check_proof(shared_detection(), proof);
+  const ProofReport report = check_proof(support::shared_detection(), proof);
   EXPECT_EQ(report.fault, "bounds on uses have no proofs: index 1 of dimension 2 has bounds 1..2");
   EXPECT_EQ(report.lower_bound, -kInfinity);
-  EXPECT_FALSE(check(shared_detection(), shared_solution(), proof).passed());
+  EXPECT_FALSE(check(support::shared_detection(), shared_solution(), proof).passed());
 }
 
 TEST(BoundsOnUses, AreRefusedByWhatDoesNotKnowThem) {
-  const Problem problem = shared_detection();
+  const Problem problem = support::shared_detection();
   const std::string where =
       " cannot deal with bounds on uses: index 1 of dimension 2 has bounds 1..2";
   EXPECT_EQ(message_of([&] { core::make_shift(problem); }), "the cost shift" + where);

@@ -23,19 +23,12 @@ using ::testing::IsEmpty;
 using Tuple = std::vector<Index>;
 using Place = std::pair<int, Index>;
 
-// Two targets may share a detection.  Four solutions: both do at 5, the first alone at 6, the
+// Four solutions: both do at 5, the first alone at 6, the
 // second alone at 7, nobody at 9; they weigh 0.657233, 0.241782, 0.088947 and 0.012038.
 //   arc (1,1)     0.657233 + 0.241782 = 0.899015,   arc (2,1)  0.657233 + 0.088947 = 0.746180
 //   the detection: four uses, -sum w ln w = 0.887543
 TEST(SharedMarginals, OfASharedDetectionAreThoseOfTheComment) {
-  ProblemBuilder builder({2, 1});
-  builder.add_arc({1, 0}, 4);
-  builder.add_arc({2, 0}, 4);
-  builder.add_arc({0, 1}, 1);
-  builder.add_arc({1, 1}, 2);
-  builder.add_arc({2, 1}, 3);
-  builder.set_use_bounds(1, 1, {1, 2});
-  const Problem problem = std::move(builder).build();
+  const Problem problem = support::shared_detection();
   Solution solution = solve_k_best(problem, 9);
   solution.marginals = marginals(solution);
   const Marginals& result = *solution.marginals;

@@ -4,13 +4,28 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/random.hpp"
 #include "nda/problem.hpp"
 
-/// Random problems with bounds, and what can be said of them without any solver.
+/// Problems with bounds, and what can be said of them without any solver.
 namespace nda::support {
+
+/// Two targets, each missed at 4, and one detection, a false alarm at 1, which both may share
+/// (1..2).  Taking (1,1) and (2,1) costs 2 + 3 = 5; one target alone 2 + 4 or 3 + 4; none 4 + 4
+/// + 1. u = 2 3 | 0 proves 5: 2 + 3 + min(0, 1) * lo + min(0, 0) + min(0, 0).
+inline Problem shared_detection() {
+  ProblemBuilder builder({2, 1});
+  builder.add_arc({1, 0}, 4);
+  builder.add_arc({2, 0}, 4);
+  builder.add_arc({0, 1}, 1);
+  builder.add_arc({1, 1}, 2);
+  builder.add_arc({2, 1}, 3);
+  builder.set_use_bounds(1, 1, {1, 2});
+  return std::move(builder).build();
+}
 
 struct BoundedKind {
   int dimensions = 3;
