@@ -53,7 +53,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--scenarios", type=int, default=10)
     parser.add_argument("--moves", type=int, default=10)
-    parser.add_argument("--first-seed", type=int, default=101, help="of the scenarios of a kind; the engine was tuned on 1 to 50")
+    parser.add_argument("--first-seed", type=int, default=101, help="of the scenarios of a kind; those from 1 on served for tuning")
     parser.add_argument("--cpu", type=int, default=0)
     parser.add_argument("--markdown", type=pathlib.Path)
     arguments = parser.parse_args()

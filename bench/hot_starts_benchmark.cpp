@@ -18,10 +18,9 @@
 // solves so many moves of the windows of so many scenarios of every kind, cold and with parts of
 // the last window's solution, on one thread, three times each in turn, of which the quickest
 // counts. Prints a line for every kind and way, then for every way over the windows of all kinds:
-// medians over the windows of the arcs, the share of
-// arcs that the last window had at the same cost, microseconds cold and hot, their ratio,
-// evaluations and nodes cold and hot, and the arcs that the hot start left open.  Exit code 1 where
-// a hot start changed a cost or was not proven.
+// medians over the windows of the arcs, the share of arcs that the last window had at the same
+// cost, microseconds cold and hot, their ratio, evaluations and nodes cold and hot, and the arcs
+// that the hot start left open.  Exit code 1 where a hot start changed a cost or was not proven.
 
 namespace nda::bench {
 namespace {

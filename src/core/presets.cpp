@@ -94,7 +94,8 @@ void partial_bnb(Options& options) {
   poore_1995(options);
   options.relaxation.alignment = AlignmentRule::kLeastViolation;
   options.relaxation.inner_evaluations = kInnerSteps;
-  options.ranking = {RankingMethod::kAlignments, kBranchesOfThePaper, false};
+  options.ranking.method = RankingMethod::kAlignments;
+  options.ranking.branches = kBranchesOfThePaper;
 }
 
 void murty_bnb(Options& options) {

@@ -42,6 +42,14 @@ TEST(PartialBranchAndBound, SolvesTwoCrossingTracks) {
   EXPECT_THAT(check(tiny.problem, solution).faults, IsEmpty());
 }
 
+// All dimensions of the same size.
+Problem four_dimensions(std::uint64_t seed, Index size, int num_arcs) {
+  support::RandomProblemOptions random;
+  random.sizes = {size, size, size, size};
+  random.num_arcs = num_arcs;
+  return support::random_problem(seed, random);
+}
+
 class PartialRanking : public testing::TestWithParam<RankingMethod> {};
 INSTANTIATE_TEST_SUITE_P(Rules,
                          PartialRanking,
@@ -87,10 +95,7 @@ TEST_P(PartialRanking, IsSoundAndNoWorseThanPlainRelaxation) {
 TEST_P(PartialRanking, GainsByBranches) {
   double few = 0, more = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    support::RandomProblemOptions random;
-    random.sizes = {6, 6, 6, 6};
-    random.num_arcs = 250;
-    const Problem problem = support::random_problem(seed, random);
+    const Problem problem = four_dimensions(seed, 6, 250);
     Options options = near_optimal(GetParam());
     options.ranking.branches = 1;
     few += solve_k_best(problem, 5, options).cost;
@@ -104,10 +109,7 @@ TEST_P(PartialRanking, GainsByBranches) {
 TEST_P(PartialRanking, GainsByLocalSearch) {
   double without = 0, with = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    support::RandomProblemOptions random;
-    random.sizes = {8, 8, 8, 8};
-    random.num_arcs = 400;
-    const Problem problem = support::random_problem(seed, random);
+    const Problem problem = four_dimensions(seed, 8, 400);
     Options options = near_optimal(GetParam());
     const Solution found = solve_k_best(problem, 5, options);
     options.ranking.local_search = true;
