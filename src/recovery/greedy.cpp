@@ -1,13 +1,13 @@
 #include "recovery/greedy.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
+#include <cstdint>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "core/reduced_costs.hpp"
 #include "core/slices.hpp"
-#include "recovery/packing_state.hpp"
 
 namespace nda::recovery {
 
@@ -18,13 +18,45 @@ namespace {
 // Values below are rounding errors of the linear program.
 constexpr double kNothing = 1e-6;
 
-// What saves anything and still fits, in this order.
-core::Packing take(const core::Component& component, std::span<const ArcId> order) {
-  PackingState state(component);
-  for (const ArcId a : order) {
-    if (component.costs[a] < 0 && state.fits(a)) state.insert(a);
+// Sorted with its key beside it: looking it up elsewhere takes longer than the rest.
+struct Ranked {
+  double key;
+  ArcId arc;
+
+  bool operator<(const Ranked& other) const {
+    return key != other.key ? key < other.key : arc < other.arc;
   }
-  return state.packing();
+};
+
+// Takes what still fits, in this order.
+class Taker {
+ public:
+  explicit Taker(const core::Component& component)
+      : component_(component), is_used_(component.num_slots(), 0) {}
+
+  void offer(ArcId a) {
+    for (int k = 0; k < component_.num_dimensions(); ++k) {
+      if (component_.index(k, a) != 0 && is_used_[component_.slot(k, a)]) return;
+    }
+    core::for_each_slot(component_, a, [&](std::uint32_t slot) { is_used_[slot] = 1; });
+    taken_.push_back(a);
+  }
+
+  core::Packing packing() { return core::make_packing(component_, std::move(taken_)); }
+
+ private:
+  const core::Component& component_;
+  std::vector<char> is_used_;
+  std::vector<ArcId> taken_;
+};
+
+core::Packing take(const core::Component& component,
+                   std::vector<Ranked> ranked,
+                   const core::Deadline& deadline) {
+  if (!core::sort_until(deadline, ranked, std::less<>())) return {};
+  Taker taker(component);
+  for (const Ranked& next : ranked) taker.offer(next.arc);
+  return taker.packing();
 }
 
 }  // namespace
@@ -32,22 +64,21 @@ core::Packing take(const core::Component& component, std::span<const ArcId> orde
 core::Packing greedy(const core::Component& component,
                      std::span<const double> key,
                      const core::Deadline& deadline) {
-  std::vector<ArcId> order(component.num_arcs());
-  std::iota(order.begin(), order.end(), 0u);
-  const auto before = [&](ArcId a, ArcId b) { return key[a] != key[b] ? key[a] < key[b] : a < b; };
-  if (!core::sort_until(deadline, order, before)) return {};
-  return take(component, order);
+  std::vector<Ranked> ranked;
+  for (ArcId a = 0; a < key.size(); ++a) {
+    if (component.costs[a] < 0) ranked.push_back({key[a], a});
+  }
+  return take(component, std::move(ranked), deadline);
 }
 
 core::Packing greedy(const core::Component& component,
                      std::span<const ArcId> arcs,
                      std::span<const double> key) {
-  std::vector<std::uint32_t> order(arcs.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t m, std::uint32_t n) {
-    return key[m] != key[n] ? key[m] < key[n] : m < n;
-  });
-  return take(component, core::at_positions(arcs, order));
+  std::vector<Ranked> ranked;
+  for (std::size_t n = 0; n < arcs.size(); ++n) {
+    if (component.costs[arcs[n]] < 0) ranked.push_back({key[n], arcs[n]});
+  }
+  return take(component, std::move(ranked), {});
 }
 
 core::Packing dual_greedy(const core::Component& component,
@@ -71,11 +102,9 @@ core::Packing round_values(const core::Component& component,
     const double difference = component.costs[arcs[k]] - component.costs[arcs[l]];
     return difference != 0 ? difference < 0 : arcs[k] < arcs[l];
   });
-  PackingState state(component);
-  for (const std::size_t k : order) {
-    if (state.fits(arcs[k])) state.insert(arcs[k]);
-  }
-  return state.packing();
+  Taker taker(component);
+  for (const std::size_t k : order) taker.offer(arcs[k]);
+  return taker.packing();
 }
 
 }  // namespace nda::recovery

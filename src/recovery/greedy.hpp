@@ -16,7 +16,7 @@ core::Packing greedy(const core::Component& component,
                      std::span<const double> key,
                      const core::Deadline& deadline = {});
 
-/// The same among some arcs, key[n] for arcs[n].
+/// The same among some arcs, none of them twice, key[n] for arcs[n].
 core::Packing greedy(const core::Component& component,
                      std::span<const core::ArcId> arcs,
                      std::span<const double> key);

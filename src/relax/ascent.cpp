@@ -11,8 +11,12 @@ namespace nda::relax {
 
 using core::ArcId;
 
-Ascent::Ascent(const core::Component& component, std::span<const ArcId> arcs, std::vector<double> u)
+Ascent::Ascent(const core::Component& component,
+               std::span<const ArcId> arcs,
+               std::vector<double> u,
+               double share)
     : component_(component),
+      share_(share),
       u_(std::move(u)),
       r_(arcs.size()),
       slots_(arcs.size() * component.sizes.size()),
@@ -62,8 +66,8 @@ double Ascent::sweep(double least_move) {
       least = core::min_of(least, r_[n]);
     }
     const double use = u_[slot] + least;
-    const double next = u_[slot] + second;
-    const double by = (use < 0 ? 0.5 * (use + std::min(0.0, next)) : 0.0) - u_[slot];
+    const double next = std::min(0.0, u_[slot] + second);
+    const double by = (use < 0 ? (1 - share_) * use + share_ * next : 0.0) - u_[slot];
     if (std::abs(by) <= least_move) continue;
     most = std::max(most, std::abs(by));
     move(slot, by);

@@ -17,12 +17,15 @@ class Ascent {
  public:
   /// u by slot, <= 0; becomes 0 where an index has none of the arcs.  Keeps a reference to the
   /// component.  Cost: O(arcs N + slots).
+  /// @param share  in [0, 1]: where multipliers go on the way from the cheapest use of their index
+  ///               to the second cheapest; anywhere between is best for the index alone.
   Ascent(const core::Component& component,
          std::span<const core::ArcId> arcs,
-         std::vector<double> u);
+         std::vector<double> u,
+         double share = 0.5);
 
-  /// SeparableDual::ascend() of every dimension, last to first; returns by how much the multiplier
-  /// moved that moved most.  Moves of at most `least_move` are left out.
+  /// SeparableDual::ascend() of every dimension, last to first, if share is one half; returns by how
+  /// much the multiplier moved that moved most.  Moves of at most `least_move` are left out.
   double sweep(double least_move = 0);
 
   /// sweep() until nothing moves more than that, so many times, or until the deadline strikes.
@@ -42,6 +45,7 @@ class Ascent {
   void wake_neighbours(std::uint32_t slot);
 
   const core::Component& component_;
+  double share_;
   std::vector<double> u_;
   std::vector<double> r_;               // reduced costs, in the order of the arcs
   std::vector<std::uint32_t> slots_;    // N of each arc, in that order

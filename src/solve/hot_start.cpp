@@ -20,8 +20,8 @@
 // costs next to nothing, and one pass over the rest tells whether that was fair.  The old arcs say
 // who belongs together; the best continuations of each, and the arcs of least reduced cost, make
 // packings.  Where packing and multipliers meet, everything is settled; only around the places
-// where they do not, arcs stay open (decompose/exchange_fixing.hpp), and the same is done with
-// these, over and over as long as it helps.  What is then still open is split and solved.
+// where they do not, arcs stay open (decompose/exchange_fixing.hpp), and the same is done once
+// more with these.  What is then still open is split and solved.
 
 namespace nda::pipeline {
 namespace {
@@ -30,21 +30,23 @@ using core::ArcId;
 using core::Component;
 using core::Packing;
 
-// Arcs of least reduced cost: those that coordinate ascent sees, and the packings are made of.
+// Arcs of least reduced cost: those that coordinate ascent sees, so many of an index or this share
+// of all, and those that packings are made of.
 constexpr std::size_t kActivePerIndex = 3;
+constexpr std::size_t kActiveShare = 8;
 constexpr std::size_t kNearPerIndex = 1;
 constexpr std::size_t kSample = 250;
-// Ascent ends after so many sweeps, or when no multiplier moves by this share of the largest cost.
-constexpr int kSweeps = 10;
-constexpr double kLeastMove = 1e-3;
-// Old tuples are continued where the gap is wider, as a share of the cost.
-constexpr double kWideGap = 0.005;
-// The same once few arcs are left, as long as a round leaves less than this share of them.
-constexpr int kRounds = 5;
+// Ascent goes beyond the middle between the cheapest use and the second, which takes fewer sweeps.
+// It ends after so many, or when no multiplier moves by this share of the largest cost.
+constexpr double kAscentShare = 0.65;
+constexpr int kSweeps = 8;
+constexpr double kLeastMove = 3e-4;
+// The same for the arcs that are still open.
 constexpr int kMoreSweeps = 30;
 constexpr double kLessMove = 1e-4;
-constexpr double kWorthNarrowing = 0.7;
-// Of the margin, for one fixing: what kRounds of them exclude and rounding adds stays below it.
+// Old tuples are continued where the gap is wider, as a share of the cost.
+constexpr double kWideGap = 0.01;
+// Of the margin, for one fixing: what two of them exclude and rounding adds stays below it.
 constexpr double kToleranceShare = 0.125;
 
 // The arcs that improve on their singletons.  Slots are those of the problem.
@@ -175,9 +177,10 @@ class Search {
 
   // Ascent on the arcs of least reduced cost, then what it proves of all.
   void ascend(int max_sweeps, double least_move, const core::Deadline& deadline) {
-    const std::vector<ArcId> active =
-        cheapest_arcs(prices_.reduced_costs(), kActivePerIndex * component_.num_indices());
-    relax::Ascent ascent(component_, active, prices_.u());
+    const std::size_t count =
+        std::max(kActivePerIndex * component_.num_indices(), component_.num_arcs() / kActiveShare);
+    const std::vector<ArcId> active = cheapest_arcs(prices_.reduced_costs(), count);
+    relax::Ascent ascent(component_, active, prices_.u(), kAscentShare);
     ascent.climb(max_sweeps, least_move * core::largest_cost(component_), deadline);
     ascent.tighten();
     prices_.set(ascent.u());
@@ -222,7 +225,10 @@ class Search {
 
  private:
   void offer(const Packing& packing) {
-    if (packing.arcs != best_.arcs) best_ = recovery::combine(component_, best_, packing);
+    if (best_.arcs.empty())
+      best_ = packing;
+    else if (packing.arcs != best_.arcs)
+      best_ = recovery::combine(component_, best_, packing);
   }
 
   const Component& component_;
@@ -315,14 +321,12 @@ std::optional<HotStart> make_hot_start(const Problem& problem,
   hot.learned_u = hot.u;
   core::Cutter cutter;
   narrow(hot, hot.live, search, grid, cutter);
-  for (int round = 1; round < kRounds && hot.open.num_arcs() > 0; ++round) {
+  if (hot.open.num_arcs() > 0) {
     if (deadline.reached()) return std::nullopt;
-    const auto before = static_cast<double>(hot.open.num_arcs());
     Search closer(hot.open, {hot.open, hot.open_u}, best_of_open(hot));
     closer.ascend(kMoreSweeps, kLessMove, deadline);
     closer.follow_prices();
     narrow(hot, hot.open, closer, grid, cutter);
-    if (static_cast<double>(hot.open.num_arcs()) > kWorthNarrowing * before) break;
   }
   std::sort(hot.settled.begin(), hot.settled.end());
   return hot;
