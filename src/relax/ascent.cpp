@@ -15,24 +15,22 @@ Ascent::Ascent(const core::Component& component,
                std::span<const ArcId> arcs,
                std::vector<double> u,
                double share)
-    : component_(component),
-      share_(share),
+    : share_(share),
       u_(std::move(u)),
-      r_(arcs.size()),
-      slots_(arcs.size() * component.sizes.size()),
-      num_moved_(slots_.size()) {
+      r_(arcs.size()) {
   const std::size_t dimensions = component.sizes.size();
+  std::vector<std::uint32_t> slots(arcs.size() * dimensions);
   for (std::size_t n = 0; n < arcs.size(); ++n) r_[n] = component.costs[arcs[n]];
   for (std::size_t k = 0; k < dimensions; ++k) {
     const Index* const index = component.indices[k].data();
     for (std::size_t n = 0; n < arcs.size(); ++n) {
       const std::uint32_t slot = component.offset[k] + index[arcs[n]];
-      slots_[n * dimensions + k] = slot;
+      slots[n * dimensions + k] = slot;
       r_[n] -= u_[slot];
     }
   }
   arcs_of_ = core::Lists<std::uint32_t>(component.num_slots(), [&](auto&& visit) {
-    auto slot = slots_.begin();
+    auto slot = slots.begin();
     for (std::uint32_t n = 0; n < arcs.size(); ++n) {
       for (std::size_t k = 0; k < dimensions; ++k) visit(*slot++, n);
     }
@@ -48,17 +46,9 @@ Ascent::Ascent(const core::Component& component,
   }
 }
 
-// What moved wakes its neighbours, and the others sleep, as soon as that is less work than to look
-// at them.
 double Ascent::sweep(double least_move) {
-  const bool wakes = num_moved_ * component_.sizes.size() < slots_.size();
-  if (!wakes || !was_waking_) is_awake_.assign(u_.size(), 1);
-  was_waking_ = wakes;
-  num_moved_ = 0;
   double most = 0;
   for (const std::uint32_t slot : order_) {
-    if (!is_awake_[slot]) continue;
-    is_awake_[slot] = 0;
     double least = kInfinity;
     double second = kInfinity;
     for (const std::uint32_t n : arcs_of_[slot]) {
@@ -71,18 +61,8 @@ double Ascent::sweep(double least_move) {
     if (std::abs(by) <= least_move) continue;
     most = std::max(most, std::abs(by));
     move(slot, by);
-    num_moved_ += arcs_of_[slot].size();
-    if (wakes) wake_neighbours(slot);
   }
   return most;
-}
-
-void Ascent::wake_neighbours(std::uint32_t slot) {
-  const std::size_t dimensions = component_.sizes.size();
-  for (const std::uint32_t n : arcs_of_[slot]) {
-    for (std::size_t k = 0; k < dimensions; ++k) is_awake_[slots_[n * dimensions + k]] = 1;
-  }
-  is_awake_[slot] = 0;
 }
 
 void Ascent::climb(int max_sweeps, double least_move, const core::Deadline& deadline) {

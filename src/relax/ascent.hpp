@@ -12,11 +12,10 @@ namespace nda::relax {
 
 /// Coordinate ascent of the separable dual (separable_dual.hpp) on some arcs of a component, as if
 /// there were no others, with lists of the arcs of every index: two passes over them for an index
-/// that moves, one for an index that may, and none for the others once they are many.
+/// that moves, one for the others.
 class Ascent {
  public:
-  /// u by slot, <= 0; becomes 0 where an index has none of the arcs.  Keeps a reference to the
-  /// component.  Cost: O(arcs N + slots).
+  /// u by slot, <= 0; becomes 0 where an index has none of the arcs.  Cost: O(arcs N + slots).
   /// @param share  in [0, 1]: where multipliers go on the way from the cheapest use of their index
   ///               to the second cheapest; anywhere between is best for the index alone.
   Ascent(const core::Component& component,
@@ -42,18 +41,12 @@ class Ascent {
 
  private:
   void move(std::uint32_t slot, double by);
-  void wake_neighbours(std::uint32_t slot);
 
-  const core::Component& component_;
   double share_;
   std::vector<double> u_;
   std::vector<double> r_;               // reduced costs, in the order of the arcs
-  std::vector<std::uint32_t> slots_;    // N of each arc, in that order
   core::Lists<std::uint32_t> arcs_of_;  // [slot]: positions in that order
   std::vector<std::uint32_t> order_;    // slots of real indices with arcs, last dimension first
-  std::vector<char> is_awake_;          // [slot]: may move
-  std::size_t num_moved_;               // arcs of the slots that moved in the last sweep
-  bool was_waking_ = false;             // in the last sweep moves woke their neighbours
 };
 
 }  // namespace nda::relax

@@ -63,7 +63,7 @@ void ComponentSolver::enumerate() {
   else
     limits.max_work = kEnumerationWork;
   search_gap(limits, "enumeration");
-  if (state_.complete && state_.nodes <= kFewNodes) settle_best();
+  if (state_.complete && state_.nodes <= kFewNodes && !is_hot_) settle_best();
   if (!state_.complete) search_cliques();
 }
 
