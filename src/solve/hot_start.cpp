@@ -39,11 +39,9 @@ constexpr std::size_t kSample = 250;
 // Ascent goes beyond the middle between the cheapest use and the second, which takes fewer sweeps.
 // It ends after so many, or when no multiplier moves by this share of the largest cost.
 constexpr double kAscentShare = 0.65;
-constexpr int kSweeps = 8;
-constexpr double kLeastMove = 3e-4;
-// The same for the arcs that are still open.
-constexpr int kMoreSweeps = 30;
-constexpr double kLessMove = 1e-4;
+constexpr int kSweeps = 7;
+constexpr int kMoreSweeps = 30;  // for the arcs that are still open
+constexpr double kLeastMove = 1e-4;
 // Old tuples are continued where the gap is wider, as a share of the cost.
 constexpr double kWideGap = 0.01;
 // Of the margin, for one fixing: what two of them exclude and rounding adds stays below it.
@@ -176,12 +174,12 @@ class Search {
       : component_(component), prices_(std::move(prices)), best_(std::move(best)) {}
 
   // Ascent on the arcs of least reduced cost, then what it proves of all.
-  void ascend(int max_sweeps, double least_move, const core::Deadline& deadline) {
+  void ascend(int max_sweeps, const core::Deadline& deadline) {
     const std::size_t count =
         std::max(kActivePerIndex * component_.num_indices(), component_.num_arcs() / kActiveShare);
     const std::vector<ArcId> active = cheapest_arcs(prices_.reduced_costs(), count);
     relax::Ascent ascent(component_, active, prices_.u(), kAscentShare);
-    ascent.climb(max_sweeps, least_move * core::largest_cost(component_), deadline);
+    ascent.climb(max_sweeps, kLeastMove * core::largest_cost(component_), deadline);
     ascent.tighten();
     prices_.set(ascent.u());
     prices_.repair();
@@ -310,7 +308,7 @@ std::optional<HotStart> make_hot_start(const Problem& problem,
   prices.tighten(is_new);
   Search search(hot.live, std::move(prices), {});
   if (deadline.reached()) return std::nullopt;
-  search.ascend(kSweeps, kLeastMove, deadline);
+  search.ascend(kSweeps, deadline);
   if (deadline.reached()) return std::nullopt;
   search.follow_prices();
   if (search.is_wide())
@@ -324,7 +322,7 @@ std::optional<HotStart> make_hot_start(const Problem& problem,
   if (hot.open.num_arcs() > 0) {
     if (deadline.reached()) return std::nullopt;
     Search closer(hot.open, {hot.open, hot.open_u}, best_of_open(hot));
-    closer.ascend(kMoreSweeps, kLessMove, deadline);
+    closer.ascend(kMoreSweeps, deadline);
     closer.follow_prices();
     narrow(hot, hot.open, closer, grid, cutter);
   }
