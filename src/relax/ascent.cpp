@@ -15,9 +15,7 @@ Ascent::Ascent(const core::Component& component,
                std::span<const ArcId> arcs,
                std::vector<double> u,
                double share)
-    : share_(share),
-      u_(std::move(u)),
-      r_(arcs.size()) {
+    : share_(share), u_(std::move(u)), r_(arcs.size()) {
   const std::size_t dimensions = component.sizes.size();
   std::vector<std::uint32_t> slots(arcs.size() * dimensions);
   for (std::size_t n = 0; n < arcs.size(); ++n) r_[n] = component.costs[arcs[n]];

@@ -23,8 +23,8 @@ class Ascent {
          std::vector<double> u,
          double share = 0.5);
 
-  /// SeparableDual::ascend() of every dimension, last to first, if share is one half; returns by how
-  /// much the multiplier moved that moved most.  Moves of at most `least_move` are left out.
+  /// SeparableDual::ascend() of every dimension, last to first, if share is one half; returns by
+  /// how much the multiplier moved that moved most.  Moves of at most `least_move` are left out.
   double sweep(double least_move = 0);
 
   /// sweep() until nothing moves more than that, so many times, or until the deadline strikes.
