@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <numeric>
 
 #include "core/min_max.hpp"
 #include "core/reduced_costs.hpp"
@@ -15,7 +17,8 @@
 //     report breaks ties by the lexicographically smallest tuple, which is the first arc.
 //   - The end of a cell is not foreseen either.  Cells of a few arcs are therefore not taken one by
 //     one: all arcs pass by, the minimum is forgotten where a cell begins, and is written after
-//     every arc.
+//     every arc.  Every minimum waits for the one before it, so arcs pass in two rows at a time,
+//     near enough to each other for what is read and written to be one stream in memory.
 //   - Loads: arcs of a cell that agree in their third index share its multiplier.
 // Reduced costs come out in the same bits whatever the way, as the order of subtractions is always
 // that of the dimensions.
@@ -36,6 +39,8 @@ constexpr std::size_t kLongRun = 32;
 constexpr std::size_t kMostMediumRuns = 2000;
 // Arcs that are looked through for one of them.
 constexpr ArcId kBlock = 16;
+// Arcs that pass by in two rows.
+constexpr std::size_t kPassing = 64;
 
 struct Relaxed {
   const Index* index;
@@ -43,10 +48,12 @@ struct Relaxed {
 };
 using RelaxedColumns = std::array<Relaxed, kMaxDimensions>;
 
-RelaxedColumns relaxed_columns(const Component& component, std::span<const double> u) {
+RelaxedColumns relaxed_columns(const Component& component,
+                               std::size_t num_kept,
+                               std::span<const double> u) {
   RelaxedColumns columns;
-  for (std::size_t k = 2; k < component.sizes.size(); ++k) {
-    columns[k - 2] = {component.indices[k].data(), u.data() + component.offset[k]};
+  for (std::size_t k = num_kept; k < component.sizes.size(); ++k) {
+    columns[k - num_kept] = {component.indices[k].data(), u.data() + component.offset[k]};
   }
   return columns;
 }
@@ -102,8 +109,8 @@ class Collapse {
   Collapse(const Component& component, const Cells& cells, std::span<const double> u)
       : cells_(cells),
         cost_(component.costs.data()),
-        num_relaxed_(component.sizes.size() - 2),
-        relaxed_(relaxed_columns(component, u)) {}
+        num_relaxed_(component.sizes.size() - static_cast<std::size_t>(cells.num_kept)),
+        relaxed_(relaxed_columns(component, component.sizes.size() - num_relaxed_, u)) {}
 
   void by_cells(std::span<double> d, std::span<ArcId> from) const {
     for (std::size_t cell = 0; cell < d.size(); ++cell) {
@@ -114,6 +121,26 @@ class Collapse {
       if (a < end) best.improve(least<false>(a, end, 0.0), a);
       d[cell] = best.value;
       from[cell] = best.from;
+    }
+  }
+
+  void by_arcs(std::span<double> d) const {
+    const std::uint8_t* const begins = cells_.begins_cell.data();
+    const std::size_t size = cells_.begins_cell.size();
+    Row front{~std::size_t{0}, kInfinity};  // the first arc leads to cell 0
+    for (std::size_t first = 0; first < size;) {
+      const std::size_t end = first + std::min(kPassing, size - first);
+      const std::uint8_t* const half = begins + (first + end + 1) / 2;
+      const auto middle = static_cast<std::size_t>(std::find(half, begins + end, 1) - begins);
+      Row back{std::accumulate(begins + first, begins + middle, front.cell), kInfinity};
+      std::size_t n = first;
+      for (std::size_t m = middle; m < end; ++m, ++n) {
+        pass(front, n, d);
+        pass(back, m, d);
+      }
+      for (; n < middle; ++n) pass(front, n, d);
+      if (middle < end) front = back;
+      first = end;
     }
   }
 
@@ -141,6 +168,22 @@ class Collapse {
       value = min_of(value, other);
     }
   };
+
+  // Of a row of passing arcs: the cell of the last one, and the least of that cell so far.
+  struct Row {
+    std::size_t cell;
+    double least;
+  };
+
+  // The n-th arc that is not free, without a jump.
+  void pass(Row& row, std::size_t n, std::span<double> d) const {
+    constexpr std::array kForget = {-kInfinity, kInfinity};
+    const std::size_t begins = cells_.begins_cell[n];
+    const ArcId a = cells_.num_free() + static_cast<ArcId>(n);
+    row.cell += begins;
+    row.least = min_of(max_of(row.least, kForget[begins]), reduced<false>(a, 0.0));
+    d[row.cell] = row.least;
+  }
 
   // Over arcs a..end-1; `shared` is the multiplier of the first relaxed dimension if kShared.  Two
   // minima at a time do not wait for one another.
@@ -174,38 +217,19 @@ class Collapse {
 };
 
 template <std::size_t kRelaxed>
-void collapse_long(const Component& component,
-                   const Cells& cells,
-                   std::span<const double> u,
-                   std::span<double> d,
-                   std::span<ArcId> from) {
+void collapse_cells(const Component& component,
+                    const Cells& cells,
+                    std::span<const double> u,
+                    std::span<double> d,
+                    std::span<ArcId> from) {
   const Collapse<kRelaxed> ways(component, cells, u);
-  if (cells.run_index.empty()) {
+  if (!cells.begins_cell.empty()) {
+    std::copy_n(cells.first_arc.begin(), from.size(), from.begin());
+    ways.by_arcs(d);
+  } else if (cells.run_index.empty()) {
     ways.by_cells(d, from);
   } else {
     ways.by_runs(d, from);
-  }
-}
-
-void collapse_short(const Component& component,
-                    const Cells& cells,
-                    std::span<const double> u,
-                    std::span<double> d) {
-  constexpr std::array kForget = {-kInfinity, kInfinity};
-  std::array<double, core::kReducedBlock> r;
-  std::size_t cell = ~std::size_t{0};  // the first arc leads to cell 0
-  double best = kInfinity;
-  const std::uint8_t* begins = cells.begins_cell.data();
-  for (ArcId a = cells.num_free(); a < cells.first_arc.back();) {
-    const std::size_t count = std::min<std::size_t>(r.size(), cells.first_arc.back() - a);
-    core::reduced_costs(component, u, a, std::span(r).first(count), cells.num_kept);
-    for (std::size_t n = 0; n < count; ++n) {
-      const std::size_t begin = *begins++;
-      cell += begin;
-      best = min_of(max_of(best, kForget[begin]), r[n]);
-      d[cell] = best;
-    }
-    a += static_cast<ArcId>(count);
   }
 }
 
@@ -240,25 +264,21 @@ void collapse(const Component& component,
               std::span<const double> u,
               std::span<double> d,
               std::span<ArcId> from) {
-  if (!cells.begins_cell.empty()) {
-    std::copy_n(cells.first_arc.begin(), from.size(), from.begin());
-    return collapse_short(component, cells, u, d);
-  }
-  switch (component.num_dimensions()) {
+  switch (component.num_dimensions() - cells.num_kept) {
+    case 1:
+      return collapse_cells<1>(component, cells, u, d, from);
+    case 2:
+      return collapse_cells<2>(component, cells, u, d, from);
     case 3:
-      return collapse_long<1>(component, cells, u, d, from);
+      return collapse_cells<3>(component, cells, u, d, from);
     case 4:
-      return collapse_long<2>(component, cells, u, d, from);
+      return collapse_cells<4>(component, cells, u, d, from);
     case 5:
-      return collapse_long<3>(component, cells, u, d, from);
+      return collapse_cells<5>(component, cells, u, d, from);
     case 6:
-      return collapse_long<4>(component, cells, u, d, from);
-    case 7:
-      return collapse_long<5>(component, cells, u, d, from);
-    case 8:
-      return collapse_long<6>(component, cells, u, d, from);
+      return collapse_cells<6>(component, cells, u, d, from);
     default:
-      return collapse_long<kAny>(component, cells, u, d, from);
+      return collapse_cells<kAny>(component, cells, u, d, from);
   }
 }
 
