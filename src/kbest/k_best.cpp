@@ -34,7 +34,7 @@ void rank(const Problem& problem, Solution& solution, std::size_t k, const Optio
   if (!ranker->has_all() && ranks.size() < k)
     std::ranges::move(ranker->unlisted(0, k - ranks.size(), deadline), std::back_inserter(ranks));
   solution.lists_all = ranker->has_all() && ranks.size() == ranker->listed().size();
-  kbest::adopt(solution, std::move(ranks));
+  kbest::adopt(problem, solution, std::move(ranks));
   solution.stats.nodes += ranker->nodes();
   solution.stats.solve_seconds += deadline.seconds();
 }

@@ -127,7 +127,7 @@ class NearOptimal {
     if (ranks.empty()) return;  // all leave something uncovered
     sort_by_cost(ranks);
     ranks.front().proven = solution_.proven;
-    adopt(solution_, std::move(ranks));
+    adopt(problem_, solution_, std::move(ranks));
   }
 
   std::vector<RankedSolution> solutions() const {

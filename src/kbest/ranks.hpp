@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "nda/problem.hpp"
 #include "nda/solution.hpp"
 
 namespace nda::kbest {
@@ -22,7 +23,8 @@ std::size_t num_proven(std::span<const RankedSolution> ranks);
 /// Makes `ranks`, which are not empty, the solutions of `solution`, numbered as they come.  Cost
 /// and bound follow the first of them, which may differ by rounding.  Where the first of `solution`
 /// was not proven, the best of them may be better: then they are sorted, and what meets the bound
-/// is optimal, unless precision was lost.  Costs of component reports stay as they are.
-void adopt(Solution& solution, std::vector<RankedSolution> ranks);
+/// (to less than a step where costs lie on a grid, else to rounding, docs/numerics.md) is optimal,
+/// unless precision was lost.  Component reports stay as they are.
+void adopt(const Problem& problem, Solution& solution, std::vector<RankedSolution> ranks);
 
 }  // namespace nda::kbest
