@@ -55,8 +55,9 @@ struct RankedSolution {
   std::vector<std::vector<Index>> arcs;  ///< tuples with two or more real indices, lexicographic
 };
 
-/// What happened in one connected component (components in order of their smallest index; of a
-/// many-to-one problem those that indices with bounds connect come last, by size).
+/// What happened in one connected component.  Components come in the order of their smallest arc,
+/// as tuples compare, of those that can improve on their singletons; of a many-to-one problem arcs
+/// that nothing couples follow, then, by size, what indices with bounds connect.
 struct ComponentReport {
   std::size_t num_arcs = 0;          ///< after the cost shift
   std::size_t num_indices = 0;       ///< real indices it touches; 0: bounds of none of them bind
@@ -70,6 +71,8 @@ struct ComponentReport {
 
 /// What each reduction did (docs/reductions.md).
 struct ReductionYield {
+  std::size_t components = 0;    ///< that the rules were applied to
+  std::size_t arcs = 0;          ///< of these
   std::size_t outweighing = 0;   ///< arcs taken, as they outweigh all they exclude
   std::size_t excluded = 0;      ///< arcs that these exclude
   std::size_t redundant = 0;     ///< indices relieved, as another one speaks for them
@@ -83,18 +86,47 @@ struct ReductionYield {
   ReductionYield& operator+=(const ReductionYield& other);
 };
 
+/// What fixing by exchange did in a hot start, in all its rounds (docs/hot_starts.md).
+struct ExchangeYield {
+  std::size_t arcs = 0;      ///< looked at: all that can improve on their singletons
+  std::size_t kept = 0;      ///< fixed to one: settled, some best solution has them
+  std::size_t excluded = 0;  ///< fixed to zero: that best solution has none of them
+  int rounds = 0;            ///< 0: there was no hot start, or nothing to start
+};
+
+/// What fixing by reduced costs did at the nodes of trees (docs/reductions.md).  It holds below its
+/// node alone, so an arc counts as often as it is fixed.
+struct FixingYield {
+  std::size_t dropped = 0;  ///< arcs fixed to zero: too dear for the gap, or rivals of the taken
+  std::size_t taken = 0;    ///< arcs fixed to one: the gap leaves an index of theirs no other use
+  std::size_t splits = 0;   ///< nodes whose rest fell apart
+  std::size_t parts = 0;    ///< into so many parts in all
+
+  FixingYield& operator+=(const FixingYield& other);
+};
+
 /// Counters and times of one solve.  Times are wall seconds.
 struct Stats {
   double read_seconds = 0;  ///< set by the command line
   double solve_seconds = 0;
-  std::size_t peak_memory_bytes = 0;      ///< of the process
-  std::int64_t dual_evaluations = 0;      ///< of all components
-  std::int64_t recoveries = 0;            ///< feasible solutions constructed
-  std::int64_t nodes = 0;                 ///< of branch and bound
-  std::size_t arcs_after_shift = 0;       ///< arcs that can improve on their singletons
-  std::size_t arcs_after_fixing = 0;      ///< arcs left when reduced-cost fixing ended
+  std::size_t peak_memory_bytes = 0;  ///< of the process
+  std::int64_t dual_evaluations = 0;  ///< of all components
+  std::int64_t recoveries = 0;        ///< feasible solutions constructed
+  std::int64_t nodes = 0;             ///< of branch and bound
+  std::size_t arcs_after_shift = 0;   ///< that can improve on singletons; all where nearly all can
+  /// Arcs that reduced costs left when the first linear program of a component came, or its first
+  /// node of Lagrangian branch and bound; all of a component that ended before.
+  std::size_t arcs_after_fixing = 0;
+  /// The fewest that reduced costs left of a component for a better packing, by whatever bound on
+  /// all of it; all of a component that ended without.
+  std::size_t arcs_left = 0;
+  std::size_t tried_components = 0;       ///< that reductions had a look at
   std::size_t settled_components = 0;     ///< solved by reductions alone
   ReductionYield reductions;              ///< of those components
+  ReductionYield forgotten_reductions;    ///< of the others: they were solved as if untouched
+  ExchangeYield exchange;                 ///< of a hot start; its arcs are among arcs_after_shift
+  FixingYield branching;                  ///< at nodes of Lagrangian branch and bound
+  FixingYield searches;                   ///< in branch and cut, and in searches for its bounds
   double certificate_bound = -kInfinity;  ///< what the multipliers alone prove; -inf without any
   bool bound_by_branching = false;  ///< lower_bound exceeds certificate_bound: the search proved it
 };

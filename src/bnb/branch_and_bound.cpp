@@ -59,6 +59,8 @@ class BranchAndBound {
   }
 
   std::int64_t nodes() const { return nodes_; }
+  const FixingYield& searches() const { return searches_; }
+  const FixingYield& branching() const { return branching_; }
 
  private:
   Slack exact() const { return {limits_.margin, limits_.error}; }
@@ -84,6 +86,7 @@ class BranchAndBound {
     if (bound.lower >= cutoff) return finish(result, cutoff, kInfinity, slack);
     if (limits_.deadline.reached()) return finish(result, cutoff, bound.lower, slack);
     const Reduction reduction = collaborators_.reduce(component, bound, cutoff);
+    count(component.num_arcs(), reduction);
     const bool whole = reduction.taken.arcs.empty() && reduction.parts.size() == 1 &&
                        static_cast<double>(reduction.parts[0].num_arcs()) >
                            kWholeShare * static_cast<double>(component.num_arcs());
@@ -91,6 +94,17 @@ class BranchAndBound {
                               : solve_parts(reduction, cutoff, slack);
     if (rest.found) accept(result, std::move(rest.best), cutoff, slack);
     return finish(result, cutoff, rest.complete ? kInfinity : rest.lower, slack);
+  }
+
+  void count(std::size_t num_arcs, const Reduction& reduction) {
+    std::size_t left = 0;
+    for (const Component& part : reduction.parts) left += part.num_arcs();
+    const std::size_t taken = reduction.taken.arcs.size();
+    branching_.dropped += num_arcs - left - taken;
+    branching_.taken += taken;
+    if (reduction.parts.size() < 2) return;
+    ++branching_.splits;
+    branching_.parts += reduction.parts.size();
   }
 
   bool stopped() const { return nodes_ >= limits_.max_nodes || limits_.deadline.reached(); }
@@ -110,6 +124,7 @@ class BranchAndBound {
     const std::int64_t limit = std::min(limits_.enumeration_nodes, limits_.max_nodes - nodes_);
     SearchResult result = enumerate(component, u, cutoff, limit, limits_.deadline);
     nodes_ += result.nodes;
+    searches_ += result.searches;
     if (result.found) {
       result.best = to_original(component, result.best);
       if (result.complete) result.lower = result.best.cost - slack.missed;
@@ -254,6 +269,8 @@ class BranchAndBound {
   const BranchLimits& limits_;
   core::Cutter cutter_;
   std::int64_t nodes_ = 0;
+  FixingYield searches_;  // of enumerations
+  FixingYield branching_;
 };
 
 }  // namespace
@@ -266,6 +283,8 @@ SearchResult branch_and_bound(const Component& component,
   BranchAndBound search(collaborators, limits);
   SearchResult result = search.run(component, u, cutoff);
   result.nodes = search.nodes();
+  result.searches = search.searches();
+  result.branching = search.branching();
   return result;
 }
 

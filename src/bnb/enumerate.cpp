@@ -26,6 +26,7 @@ SearchResult enumerate(const core::Component& component,
   limits.deadline = deadline;
   const SlackResult found = search_slack(slack.problem, cutoff - lower, limits);
   result.nodes = found.nodes;
+  result.searches = found.fixing;
   result.complete = found.complete;
   if (found.slack < kInfinity) {
     result.best = core::make_packing(component, core::at_positions(slack.arcs, found.arcs));

@@ -5,6 +5,7 @@
 
 #include "core/clock.hpp"
 #include "core/component.hpp"
+#include "nda/solution.hpp"
 
 namespace nda::bnb {
 
@@ -16,7 +17,9 @@ struct SearchResult {
       false;  ///< best is the optimum; or, if not found, no packing is cheaper than the cutoff
   double lower = -kInfinity;  ///< every packing costs at least min(lower, cutoff)
   std::int64_t nodes = 0;
-  double work = 0;  ///< in the units of SlackLimits
+  double work = 0;        ///< in the units of SlackLimits
+  FixingYield searches;   ///< of searches within the slack
+  FixingYield branching;  ///< of nodes that were bounded, fixed and split
 };
 
 /// Enumerates the packings of a component cheaper than `cutoff`, without any relaxation: by

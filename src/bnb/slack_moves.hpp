@@ -12,6 +12,7 @@
 #include "core/lists.hpp"
 #include "core/pause.hpp"
 #include "nda/proof.hpp"
+#include "nda/solution.hpp"
 
 // What is done at a node of a search within the slack, whatever it is looking for (slack_search,
 // kbest/slack_ranking).  All of it keeps every packing within the budget, with its slack:
@@ -89,6 +90,7 @@ class SlackMoves {
     SlackMoves other = *this;
     other.nodes_ = 0;
     other.work_ = other.work_at_look_ = 0;
+    other.fixing_ = {};
     return other;
   }
 
@@ -100,6 +102,8 @@ class SlackMoves {
   bool is_index(std::uint32_t row) const { return row < problem_.num_indices(); }
   std::int64_t nodes() const { return nodes_; }
   double work() const { return work_; }
+  /// What went beside branching: what the budget does not pay for, forced arcs, parts.
+  const FixingYield& fixing() const { return fixing_; }
   /// What the search does besides.
   void add_work(std::size_t work) { work_ += static_cast<double>(work); }
 
@@ -130,6 +134,10 @@ class SlackMoves {
     if (pause_.skip()) return false;
     const bool split = parts_.split(here.arcs, here.rows, here.parts);
     pause_.note(split);
+    if (split) {
+      ++fixing_.splits;
+      fixing_.parts += here.parts.size();
+    }
     return split;
   }
 
@@ -171,7 +179,7 @@ class SlackMoves {
                               double budget,
                               SlackNode& next) {
     copy_if(here.arcs, next.arcs, [&](const OpenArc& other) {
-      return affords(budget, other.reduced) && fits(other.arc);
+      return keeps(budget, other) && fits(other.arc);
     });
     next.rows = here.rows;
     for (OpenRow& row : next.rows) row.left -= std::min(row.left, occupied_[row.row]);
@@ -235,6 +243,13 @@ class SlackMoves {
   };
 
   bool keeps(std::uint32_t row) const { return free_rows_ == FreeRows::kKeep && is_index(row); }
+
+  // Whether a budget pays for an arc; else it is fixed to zero.
+  bool keeps(double budget, const OpenArc& arc) {
+    const bool keeps = affords(budget, arc.reduced);
+    fixing_.dropped += !keeps;
+    return keeps;
+  }
 
   // Whether a budget pays for so much slack; else that is left out.
   bool affords(double budget, double slack) {
@@ -309,8 +324,15 @@ class SlackMoves {
       }
     }
     const auto forced = std::span(here.forced).subspan(before);
-    if (!forced.empty()) take(here, forced, budget - spent, here);
+    if (!forced.empty()) take_forced(here, forced, budget - spent);
     return !forced.empty();
+  }
+
+  void take_forced(SlackNode& here, std::span<const std::uint32_t> forced, double budget) {
+    const std::size_t dropped = fixing_.dropped + here.arcs.size() - forced.size();
+    take(here, forced, budget, here);
+    fixing_.dropped = dropped - here.arcs.size();
+    fixing_.taken += forced.size();
   }
 
   void count(SlackNode& here, double left) {
@@ -318,7 +340,7 @@ class SlackMoves {
       open_uses_[row.row] = {};
     }
     const std::size_t before = here.arcs.size();
-    std::erase_if(here.arcs, [&](const OpenArc& arc) { return !affords(left, arc.reduced); });
+    std::erase_if(here.arcs, [&](const OpenArc& arc) { return !keeps(left, arc); });
     here.may_split = here.may_split || here.arcs.size() < before;
     std::size_t work = here.rows.size();
     for (std::uint32_t i = 0; i < here.arcs.size(); ++i) {
@@ -435,6 +457,7 @@ class SlackMoves {
   double work_at_look_ = 0;
   bool stopped_ = false;
   double excess_ = kInfinity;
+  FixingYield fixing_;
 };
 
 }  // namespace nda::bnb

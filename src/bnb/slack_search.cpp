@@ -175,9 +175,11 @@ class SlackSearch {
   void collect() {
     result_.nodes = 0;
     result_.work = 0;
+    result_.fixing = {};
     for (Searcher& searcher : searchers_) {
       result_.nodes += searcher.descent.moves().nodes();
       result_.work += searcher.descent.moves().work();
+      result_.fixing += searcher.descent.moves().fixing();
       if (!std::exchange(searcher.has_found, false) || !(searcher.bound < bound_)) continue;
       result_.slack = bound_ = searcher.bound;
       result_.arcs = searcher.arcs;

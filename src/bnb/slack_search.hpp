@@ -6,6 +6,7 @@
 
 #include "core/clock.hpp"
 #include "core/for_all.hpp"
+#include "nda/solution.hpp"
 #include "nda/types.hpp"
 
 namespace nda::bnb {
@@ -80,6 +81,7 @@ struct SlackResult {
   bool complete = false;            ///< none below the budget has less slack
   std::int64_t nodes = 0;
   double work = 0;  ///< as limited
+  FixingYield fixing;
 };
 
 /// The packing of least slack, if that is below `budget` or exceeds it by rounding only: depth

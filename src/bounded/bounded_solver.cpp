@@ -47,7 +47,7 @@ BoundedSolver::BoundedSolver(const BoundedComponent& component,
   state_.u.assign(component.rows.size(), 0.0);
   clamp(component, state_.u);
   state_.certificate = state_.lower = lagrangian_bound(component, state_.u);
-  state_.live_arcs = component.num_arcs();
+  state_.live_arcs = state_.left_arcs = component.num_arcs();
 }
 
 void BoundedSolver::offer(const Choice& choice, const char* event) {
@@ -205,6 +205,7 @@ void BoundedSolver::branch(double allowed_gap) {
   const SearchResult found = branch_and_bound(component_, state_.best, state_.u, limits, news);
   state_.nodes += found.nodes;
   state_.live_arcs = found.live_arcs;
+  state_.left_arcs = found.left_arcs;
   accept(found.u, "bound");
   raise(found.lower, "bound");
   switch (found.end) {

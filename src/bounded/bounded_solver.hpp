@@ -24,7 +24,8 @@ struct BoundedState {
   std::int64_t evaluations = 0;
   std::int64_t recoveries = 0;
   std::int64_t nodes = 0;
-  std::size_t live_arcs = 0;  ///< after fixing by reduced costs
+  std::size_t live_arcs = 0;  ///< Stats::arcs_after_fixing
+  std::size_t left_arcs = 0;  ///< Stats::arcs_left
 };
 
 /// What is known of a component before it is solved; advice.

@@ -67,11 +67,11 @@ class Search {
     result_.u.assign(u.begin(), u.end());
     clamp(component_, result_.u);
     result_.certificate = result_.lower = lagrangian_bound(component_, result_.u);
+    result_.live_arcs = result_.left_arcs = component.num_arcs();
   }
 
   SearchResult run() {
     result_.end = search();
-    result_.live_arcs = live_.size();
     if (!result_.choices.empty()) result_.best = result_.choices.front();
     return std::move(result_);
   }
@@ -135,6 +135,7 @@ SearchEnd Search::search() {
   if (is_good_enough()) return SearchEnd::kGap;
   if (limits_.max_nodes == 0) return SearchEnd::kNodes;
   fix_by_reduced_cost();
+  result_.live_arcs = live_.size();
   if (!cut()) return SearchEnd::kDeadline;
   if (is_closed()) return SearchEnd::kComplete;
   open_.push({-1, result_.lower});
@@ -230,6 +231,7 @@ void Search::fix_by(std::span<const double> u, const CutPrices& prices, double b
     if (!program_.has(a)) added.push_back(a);
   }
   program_.add_arcs(added);
+  result_.left_arcs = live_.size();
 }
 
 SearchEnd Search::branch() {

@@ -46,7 +46,8 @@ struct SearchResult {
   std::vector<double> u;            ///< the best multipliers before branching, by slot
   double certificate = -kInfinity;  ///< what they prove
   std::int64_t nodes = 0;
-  std::size_t live_arcs = 0;  ///< after fixing by reduced costs
+  std::size_t live_arcs = 0;  ///< after fixing by the reduced costs of the first linear program
+  std::size_t left_arcs = 0;  ///< after all fixing; both all arcs where there was none
 };
 
 /// The best choice of a component by linear programs and branching on arcs.

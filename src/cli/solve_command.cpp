@@ -13,6 +13,7 @@
 #include "cli/commands.hpp"
 #include "cli/print.hpp"
 #include "cli/print_marginals.hpp"
+#include "cli/print_yields.hpp"
 #include "cli/progress_log.hpp"
 #include "core/clock.hpp"
 #include "core/option_table.hpp"
@@ -102,26 +103,6 @@ void print_components(const Solution& solution) {
           report.lower_bound,
           report.method.c_str());
   }
-}
-
-void print_reductions(const Solution& solution) {
-  const ReductionYield& yield = solution.stats.reductions;
-  print("\nreductions    settled %zu of %zu components\n",
-        solution.stats.settled_components,
-        solution.num_components);
-  const auto line = [](std::size_t count, const char* what, std::size_t dropped) {
-    if (count == 0) return;
-    print("%14s%zu %s", "", count, what);
-    print(dropped > 0 ? ", which dropped %zu more\n" : "\n", dropped);
-  };
-  line(yield.outweighing, "arcs that outweigh all they exclude", yield.excluded);
-  line(yield.redundant, "redundant indices", 0);
-  line(yield.single, "single choices", yield.unprofitable);
-  line(yield.dominated, "dominated arcs", 0);
-  line(yield.sides, "sides that hung on one index", yield.side_arcs);
-  print("fixing        left %zu of %zu arcs, all of a component that ended without it\n",
-        solution.stats.arcs_after_fixing,
-        solution.stats.arcs_after_shift);
 }
 
 void print_bound(const Solution& solution) {
@@ -305,7 +286,7 @@ int solve_file(const SolveArguments& arguments) {
     if (solution.marginals) print_marginals(solution, marginal_seconds, arguments.verbose);
     if (arguments.verbose) {
       print_components(solution);
-      print_reductions(solution);
+      print_yields(solution);
     }
   }
   return exit_code(solution, arguments.k, options.ranking.method);
@@ -428,8 +409,9 @@ Action declare_solve(CLI::App& parser) {
       .add_option("--log-interval", arguments->log_interval_s, "seconds between lines of the log")
       ->check(at_least(0));
   parser.add_flag("--quiet,-q", arguments->quiet, "no solver log");
-  parser.add_flag(
-      "--verbose,-v", arguments->verbose, "one line per component, and what reductions settled");
+  parser.add_flag("--verbose,-v",
+                  arguments->verbose,
+                  "one line per component, and what reductions and fixing did");
   parser.footer(
       "The log on standard error shows time, cost of the best assignment, lower bound and gap;\n"
       "what the multipliers prove of the bound, its certificate, is verified by `nda check`; the\n"

@@ -38,6 +38,8 @@ double Solution::relative_gap() const {
 }
 
 ReductionYield& ReductionYield::operator+=(const ReductionYield& other) {
+  components += other.components;
+  arcs += other.arcs;
   dominated += other.dominated;
   redundant += other.redundant;
   outweighing += other.outweighing;
@@ -47,6 +49,14 @@ ReductionYield& ReductionYield::operator+=(const ReductionYield& other) {
   sides += other.sides;
   side_arcs += other.side_arcs;
   left += other.left;
+  return *this;
+}
+
+FixingYield& FixingYield::operator+=(const FixingYield& other) {
+  dropped += other.dropped;
+  taken += other.taken;
+  splits += other.splits;
+  parts += other.parts;
   return *this;
 }
 

@@ -46,6 +46,7 @@ BranchAndCutResult BranchAndCut::run(const OpenNode& node,
   result.nodes = num_nodes();
   result.tree_nodes = tree_nodes_;
   result.work = work();
+  result.fixing = fixing_;
   return result;
 }
 
@@ -114,7 +115,10 @@ CutLoopEnd BranchAndCut::tighten(int depth) {
     if (depth == 0) offer(master, nullptr);
     return cutoff_;
   };
+  const std::size_t arcs = master_.live().size();
   const CutLoopEnd end = run_cut_loop(component_, master_, loop, round);
+  fixing_.dropped += arcs - master_.live().size();
+  fixing_ += leaf.fixing();
   search_nodes_ += leaf.nodes();
   if (leaf.nodes() > 0) pauses_.slack.note(end == CutLoopEnd::kSearched);
   return end;

@@ -62,6 +62,7 @@ struct BranchAndCutResult {
   std::int64_t nodes = 0;       ///< those of searches included
   std::int64_t tree_nodes = 0;  ///< without them
   double work = 0;              ///< (bnb::SlackLimits)
+  FixingYield fixing;           ///< at the root, and of searches
   std::vector<OpenNode> open;   ///< those handed over, in order of the tree
 };
 
@@ -114,6 +115,7 @@ class BranchAndCut {
   std::int64_t tree_nodes_ = 0;
   std::int64_t search_nodes_ = 0;
   double search_work_ = 0;  // of separation, too
+  FixingYield fixing_;
   LeafPauses pauses_;
   double progress_ = 0;
   bool exhaustive_ = true;

@@ -79,6 +79,7 @@ bool LeafSearch::search_slack(const Master& master, double& cutoff) {
     nodes_ += found.nodes;
     work += found.work;
     work_ += found.work;
+    fixing_ += found.fixing;
     for (const std::vector<std::uint32_t>& packing : found.packings)
       lower(master, core::make_packing(component_, core::at_positions(arcs, packing)), cutoff);
     if (!found.complete) return false;
@@ -93,7 +94,7 @@ LeafFinds LeafSearch::list(const bnb::SlackProblem& problem,
                            const bnb::SlackLimits& limits) {
   if (limits_.ranks != nullptr) return limits_.ranks->list(problem, budget, limits);
   bnb::SlackResult best = bnb::search_slack(problem, budget, limits);
-  LeafFinds found{{}, best.complete, best.nodes, best.work};
+  LeafFinds found{{}, best.complete, best.nodes, best.work, best.fixing};
   if (best.slack < kInfinity) found.packings.push_back(std::move(best.arcs));
   return found;
 }

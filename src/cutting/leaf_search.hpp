@@ -33,6 +33,7 @@ struct LeafFinds {
   bool complete = false;  ///< these are the best below the budget, as many as count, or all of them
   std::int64_t nodes = 0;
   double work = 0;
+  FixingYield fixing;
 };
 
 /// Where more packings count than the best.
@@ -90,6 +91,8 @@ class LeafSearch {
 
   std::int64_t nodes() const { return nodes_; }
   double work() const { return work_; }  ///< of all searches
+  /// Of those within the slack.
+  const FixingYield& fixing() const { return fixing_; }
 
  private:
   bool is_worth_trying(const Master& master, double cutoff) const;
@@ -112,6 +115,7 @@ class LeafSearch {
   double failed_lower_ = kInfinity;
   std::int64_t nodes_ = 0;
   double work_ = 0;
+  FixingYield fixing_;
 };
 
 }  // namespace nda::cutting

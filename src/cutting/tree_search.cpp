@@ -167,6 +167,7 @@ class TreeSearch {
     result_.nodes += branch.result.nodes;
     result_.tree_nodes += branch.result.tree_nodes;
     result_.work += branch.result.work;
+    result_.fixing += branch.result.fixing;
     leave_open(branch.result.open, search, branch.base);
   }
 

@@ -79,6 +79,7 @@ class Widening {
       }
     }
     result_.complete = result_.lower >= cutoff_;
+    result_.live_arcs = master_.live().size();
     if (limits_.proof != nullptr && (covered_ || !exhaustive_)) {
       limits_.proof->cut_back(proof_size_);
       if (covered_)
@@ -123,6 +124,7 @@ class Widening {
       end = run_cut_loop(component_, master_, loop, round);
     }
     result_.nodes += leaf.nodes();
+    result_.fixing += leaf.fixing();
     if (end == CutLoopEnd::kProven || end == CutLoopEnd::kSearched) raise(cutoff_);
     exhaustive_ = end == CutLoopEnd::kSearched;
     if (limits_.proof != nullptr) proof_size_ = limits_.proof->size();
@@ -172,6 +174,7 @@ class Widening {
     const BranchAndCutResult found = search_tree(within, circle, target, limits, offer);
     if (limits_.proof != nullptr) limits_.proof->enter(component_);
     result_.nodes += found.nodes;
+    result_.fixing += found.fixing;
     last_tree_nodes_ = found.tree_nodes;
     own_work_ += found.work;
     exhaustive_ = found.exhaustive && target >= cutoff_;

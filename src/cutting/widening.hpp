@@ -52,6 +52,8 @@ struct WideningResult {
   double lower = -kInfinity;  ///< no packing is cheaper than this, or than the last cutoff
   bool complete = false;      ///< no packing is cheaper than the last cutoff
   std::int64_t nodes = 0;
+  std::size_t live_arcs = 0;  ///< that reduced costs left when the cuts of the whole were done
+  FixingYield fixing;         ///< in circles, and of searches
 };
 
 /// Exact search of a component by linear programming, cuts and branching.

@@ -143,6 +143,53 @@ ComponentReport component(const JsonNode& node) {
   return result;
 }
 
+ReductionYield reductions(const JsonNode& node) {
+  ReductionYield result;
+  result.components = count(node["components"]);
+  result.arcs = count(node["arcs"]);
+  result.outweighing = count(node["outweighing"]);
+  result.excluded = count(node["excluded"]);
+  result.redundant = count(node["redundant"]);
+  result.single = count(node["single"]);
+  result.unprofitable = count(node["unprofitable"]);
+  result.dominated = count(node["dominated"]);
+  result.sides = count(node["sides"]);
+  result.side_arcs = count(node["side_arcs"]);
+  result.left = count(node["left"]);
+  return result;
+}
+
+ExchangeYield exchange(const JsonNode& node) {
+  ExchangeYield result;
+  result.arcs = count(node["arcs"]);
+  result.kept = count(node["kept"]);
+  result.excluded = count(node["excluded"]);
+  result.rounds = static_cast<int>(node["rounds"].whole(std::numeric_limits<int>::max()));
+  return result;
+}
+
+FixingYield fixing(const JsonNode& node) {
+  FixingYield result;
+  result.dropped = count(node["dropped"]);
+  result.taken = count(node["taken"]);
+  result.splits = count(node["splits"]);
+  result.parts = count(node["parts"]);
+  return result;
+}
+
+// Files of before have none.
+void read_yields(const JsonNode& node, Stats& stats) {
+  if (!node.has("reductions")) return;
+  stats.arcs_left = count(node["arcs_left"]);
+  stats.tried_components = count(node["tried_components"]);
+  stats.settled_components = count(node["settled_components"]);
+  stats.reductions = reductions(node["reductions"]);
+  stats.forgotten_reductions = reductions(node["forgotten_reductions"]);
+  stats.exchange = exchange(node["exchange"]);
+  stats.branching = fixing(node["branching"]);
+  stats.searches = fixing(node["searches"]);
+}
+
 Stats stats(const JsonNode& node) {
   Stats result;
   result.read_seconds = node["read_seconds"].number();
@@ -155,6 +202,7 @@ Stats stats(const JsonNode& node) {
   result.arcs_after_fixing = count(node["arcs_after_fixing"]);
   result.certificate_bound = node["certificate_bound"].number();
   result.bound_by_branching = node["bound_by_branching"].boolean();
+  read_yields(node, result);
   return result;
 }
 

@@ -48,6 +48,34 @@ Json component(const ComponentReport& report) {
           {"method", report.method}};
 }
 
+Json reductions(const ReductionYield& yield) {
+  return {{"components", yield.components},
+          {"arcs", yield.arcs},
+          {"outweighing", yield.outweighing},
+          {"excluded", yield.excluded},
+          {"redundant", yield.redundant},
+          {"single", yield.single},
+          {"unprofitable", yield.unprofitable},
+          {"dominated", yield.dominated},
+          {"sides", yield.sides},
+          {"side_arcs", yield.side_arcs},
+          {"left", yield.left}};
+}
+
+Json exchange(const ExchangeYield& yield) {
+  return {{"arcs", yield.arcs},
+          {"kept", yield.kept},
+          {"excluded", yield.excluded},
+          {"rounds", yield.rounds}};
+}
+
+Json fixing(const FixingYield& yield) {
+  return {{"dropped", yield.dropped},
+          {"taken", yield.taken},
+          {"splits", yield.splits},
+          {"parts", yield.parts}};
+}
+
 Json stats(const Stats& stats) {
   return {{"read_seconds", number(stats.read_seconds)},
           {"solve_seconds", number(stats.solve_seconds)},
@@ -57,6 +85,14 @@ Json stats(const Stats& stats) {
           {"nodes", stats.nodes},
           {"arcs_after_shift", stats.arcs_after_shift},
           {"arcs_after_fixing", stats.arcs_after_fixing},
+          {"arcs_left", stats.arcs_left},
+          {"tried_components", stats.tried_components},
+          {"settled_components", stats.settled_components},
+          {"reductions", reductions(stats.reductions)},
+          {"forgotten_reductions", reductions(stats.forgotten_reductions)},
+          {"exchange", exchange(stats.exchange)},
+          {"branching", fixing(stats.branching)},
+          {"searches", fixing(stats.searches)},
           {"certificate_bound", number(stats.certificate_bound)},
           {"bound_by_branching", stats.bound_by_branching}};
 }

@@ -47,7 +47,7 @@ cutting::LeafFinds list_leaf(const bnb::SlackProblem& problem,
   std::iota(names.begin(), names.end(), 0u);
   Combinations combinations;
   const SlackRanking ranking = rank_slack(problem, budget, k, limits, names, combinations);
-  cutting::LeafFinds finds{{}, ranking.complete, ranking.nodes, ranking.work};
+  cutting::LeafFinds finds{{}, ranking.complete, ranking.nodes, ranking.work, {}};
   for (const Ranked& ranked : ranking.packings) {
     std::vector<std::uint32_t>& arcs = finds.packings.emplace_back(combinations.arcs(ranked.arcs));
     std::sort(arcs.begin(), arcs.end());

@@ -97,6 +97,8 @@ bool Reducer::round(Effort effort) {
 
 void Reducer::run_rounds(const Component& component, Effort effort, bool patient) {
   pool_.reset(component);
+  yield_.components = 1;
+  yield_.arcs = component.num_arcs();
   for (int n = 0; n < kMostRounds && pool_.num_alive() > 0; ++n) {
     const std::size_t before = pool_.num_alive();
     if (!round(effort)) break;

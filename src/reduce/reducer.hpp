@@ -34,6 +34,7 @@ class Reducer {
   /// its cheapest arc outweighs all it excludes.  Nothing where arcs are left.
   std::optional<Settled> settle(const core::Component& component, Effort effort);
 
+  /// Of the last component; all 0 where settle() gave it up at once.
   const ReductionYield& yield() const { return yield_; }
   const ArcPool& pool() const { return pool_; }
 

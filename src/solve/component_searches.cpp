@@ -120,6 +120,7 @@ void ComponentSolver::search_nearly_free() {
     limits.max_nodes = options_.branch.max_nodes - state_.nodes;
     const bnb::SlackResult found = bnb::search_slack(slack.problem, budget, limits);
     state_.nodes += found.nodes;
+    state_.searches += found.fixing;
     limits.max_work -= found.work;
     if (!found.arcs.empty()) {
       std::vector<ArcId> arcs = core::at_positions(slack.arcs, found.arcs);
@@ -127,6 +128,7 @@ void ComponentSolver::search_nearly_free() {
     }
     if (!found.complete) return;
     if (found.slack == kInfinity) continue;
+    note_left(slack.arcs.size());
     enumerated_ = true;
     raise_bound(cutoff(), "complementary slackness");
   }
@@ -154,20 +156,24 @@ void ComponentSolver::search_near_multipliers() {
 void ComponentSolver::search_gap(bnb::SlackLimits limits, const char* event) {
   const double gap = cutoff() - state_.certificate;
   limits.deadline = deadline_;
+  std::size_t left = 0;
   for (const double budget : {kFirstShare * gap, gap}) {
     const bnb::ComponentSlack slack = bnb::slack_of(component_, state_.u, budget, deadline_);
     if (deadline_.reached()) return;
     limits.max_nodes = std::min(limits.max_nodes, options_.branch.max_nodes - state_.nodes);
     const bnb::SlackResult found = bnb::search_slack(slack.problem, budget, limits);
     state_.nodes += found.nodes;
+    state_.searches += found.fixing;
     limits.max_work -= found.work;
     if (!found.arcs.empty()) {
       std::vector<ArcId> arcs = core::at_positions(slack.arcs, found.arcs);
       offer(core::make_packing(component_, std::move(arcs)), event);
     }
     if (!found.complete) return;
+    left = slack.arcs.size();
     if (found.slack < kInfinity) break;
   }
+  note_left(left);
   enumerated_ = true;
   raise_bound(cutoff(), event);
 }

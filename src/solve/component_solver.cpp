@@ -2,18 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
-#include "bnb/branch_and_bound.hpp"
 #include "core/double_double.hpp"
 #include "core/permuted.hpp"
 #include "core/random.hpp"
 #include "core/reduced_costs.hpp"
 #include "cutting/leaf_search.hpp"
 #include "cutting/widening.hpp"
-#include "decompose/components.hpp"
-#include "decompose/reduced_cost_fixing.hpp"
 #include "recovery/core_search.hpp"
 #include "recovery/greedy.hpp"
 #include "recovery/kept_solver.hpp"
@@ -48,25 +44,6 @@ constexpr int kLargeInterval = 100;
 constexpr double kPromising = 0.25;
 // Time kept for the last certificate, as a multiple of what the first took.
 constexpr double kCertifyReserve = 1.3;
-
-// Fixing and splitting as branch and bound wants them.
-bnb::Reduction reduce(const Component& component, const bnb::NodeBound& bound, double cutoff) {
-  const decompose::Fixing fixing = decompose::fix(component, bound.u, bound.lower, cutoff);
-  bnb::Reduction reduction;
-  for (const ArcId a : fixing.taken) {
-    reduction.taken.arcs.push_back(core::original_arc(component, a));
-    reduction.taken.cost += component.costs[a];
-  }
-  core::Cutter cutter;
-  const Component live = cutter.cut(component, fixing.live);
-  const std::vector<double> live_u = core::restrict_slots(component, bound.u, live);
-  const decompose::Partition parts = decompose::partition(live);
-  for (std::size_t c = 0; c < parts.num_components(); ++c) {
-    reduction.parts.push_back(cutter.cut(live, parts.component(c)));
-    reduction.u.push_back(core::restrict_slots(live, live_u, reduction.parts.back()));
-  }
-  return reduction;
-}
 
 // If any packing covers all required slots, one does that costs no more: it has no other arcs, and
 // the required slots of an arc share its cost.  In double-double, since a bound that rounding lifts
@@ -125,7 +102,7 @@ ComponentSolver::ComponentSolver(const Component& component,
       seed_(seed),
       proof_(proof),
       is_hot_(!hint.u.empty()) {
-  state_.live_arcs = component.num_arcs();
+  state_.live_arcs = state_.left_arcs = component.num_arcs();
   state_.u = hint.u;
   state_.u.resize(component.num_slots(), 0.0);
   const core::Stopwatch watch;
@@ -212,6 +189,7 @@ Status ComponentSolver::reason_to_stop() const {
 void ComponentSolver::branch_and_cut() {
   const std::vector<ArcId> live = live_arcs();
   state_.live_arcs = live.size();
+  note_left(live.size());
   if (live.empty() || live.size() > kMostCuttingArcs) return;
   state_.method = "branch and cut";
   core::Cutter cutter;
@@ -244,7 +222,10 @@ void ComponentSolver::branch_and_cut() {
     return goal();
   };
   observer.raise = [&](double lower) { raise_bound(std::min(lower, goal()), "cuts"); };
-  state_.nodes += cutting::search_widening(core, u, limits, observer).nodes;
+  const cutting::WideningResult found = cutting::search_widening(core, u, limits, observer);
+  state_.nodes += found.nodes;
+  note_left(found.live_arcs);
+  state_.searches += found.fixing;
 }
 
 // Those of a linear program prove more than those of the relaxation.
@@ -356,53 +337,6 @@ void ComponentSolver::accept_multipliers(std::vector<double> u,
   state_.u = std::move(u);
   state_.certificate = certificate;
   raise_bound(certificate, event);
-}
-
-void ComponentSolver::branch() {
-  state_.method = "branch and bound";
-  bnb::Collaborators collaborators;
-  collaborators.bound = [&](const Component& node, std::span<const double> warm, double cutoff) {
-    relax::LagrangianOptions loop = loop_options(node);
-    loop.max_evaluations = options_.branch.node_evaluations;
-    loop.recovery_interval = 0;
-    loop.goal = cutoff;
-    // Coordinate ascent stalls at kinks: a tree bounded by it need not end.
-    if (loop.dual_method == DualMethod::kCoordinate) loop.dual_method = DualMethod::kBundleTrust;
-    relax::LagrangianResult dual = relax::maximize_dual(node, warm, loop, {});
-    state_.evaluations += dual.evaluations;
-    bnb::NodeBound bound{std::move(dual.u), dual.lower, {}};
-    const double inherited = std::accumulate(warm.begin(), warm.end(), 0.0);
-    if (inherited > bound.lower) bound = {{warm.begin(), warm.end()}, inherited, {}};
-    if (bound.lower >= cutoff) return bound;
-    recovery::CoreSearchOptions search;
-    search.kicks_per_index = 0;
-    search.goal = bound.lower;
-    core::Random random(seed_);
-    bound.packing =
-        recovery::search_core(node, bound.u, cutoff - bound.lower, {}, search, random, deadline_);
-    return bound;
-  };
-  collaborators.reduce = reduce;
-  bnb::BranchLimits limits;
-  limits.max_nodes = options_.branch.max_nodes - state_.nodes;
-  limits.margin = precision_.margin;
-  limits.error = precision_.error;
-  limits.gap = allowed_gap_;
-  limits.deadline = deadline_;
-  const bool coarse = limits.gap > limits.margin;
-  const double cutoff = state_.best.cost - std::max(limits.margin, limits.gap);
-  bnb::SearchResult result =
-      bnb::branch_and_bound(component_, state_.u, cutoff, collaborators, limits);
-  state_.nodes += result.nodes;
-  if (result.found) {
-    Packing packing;
-    packing.cost = result.best.cost;
-    packing.arcs = core::arcs_from_original(component_, result.best.arcs);
-    offer(packing, "branch and bound");
-  }
-  const double missed = coarse ? limits.gap : limits.error;
-  raise_bound(result.complete ? state_.best.cost - missed : std::min(result.lower, cutoff),
-              "branch and bound");
 }
 
 bool ComponentSolver::offer(const Packing& packing, const char* event) {

@@ -48,7 +48,10 @@ struct ComponentState {
   std::int64_t evaluations = 0;
   std::int64_t recoveries = 0;
   std::int64_t nodes = 0;
-  std::size_t live_arcs = 0;  ///< after reduced-cost fixing
+  std::size_t live_arcs = 0;  ///< Stats::arcs_after_fixing
+  std::size_t left_arcs = 0;  ///< Stats::arcs_left
+  FixingYield branching;
+  FixingYield searches;
 };
 
 /// What a warm start knows of a component; nothing where empty.
@@ -102,6 +105,7 @@ class ComponentSolver {
   void search_near_hint();
   void search_near_multipliers();
   void search_gap(bnb::SlackLimits limits, const char* event);
+  void note_left(std::size_t arcs) { state_.left_arcs = std::min(state_.left_arcs, arcs); }
   void search_cliques();
   void settle_best();
   void relax();

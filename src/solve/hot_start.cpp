@@ -257,6 +257,9 @@ void narrow(HotStart& hot,
     hot.settled.push_back(core::original_arc(from, a));
     hot.settled_cost += from.costs[a];
   }
+  ++hot.yield.rounds;
+  hot.yield.kept += fixing.settled.size();
+  hot.yield.excluded += from.num_arcs() - fixing.open.size() - fixing.settled.size();
   Component open = cutter.cut(from, fixing.open);
   hot.open_u = core::restrict_slots(from, search.u(), open);
   hot.is_best = membership(fixing.open, search.best());
@@ -303,6 +306,7 @@ std::optional<HotStart> make_hot_start(const Problem& problem,
   hot.live = live_part(problem, shift, deadline);
   if (deadline.reached() || hot.live.num_arcs() == 0) return std::nullopt;
   hot.precision = precision_of(hot.live, grid);
+  hot.yield.arcs = hot.live.num_arcs();
   std::vector<char> is_new;
   relax::Prices prices(hot.live, old_multipliers(hot.live, shift, warm, is_new));
   prices.tighten(is_new);
@@ -347,6 +351,11 @@ HotPart cut_part(const HotStart& hot,
 
 void learn(HotStart& hot, const Component& part, std::span<const double> u) {
   core::extend_slots(part, u, hot.open, hot.open_u);
+}
+
+void count(const HotStart& hot, Stats& stats) {
+  stats.exchange = hot.yield;
+  stats.arcs_after_shift += hot.yield.kept + hot.yield.excluded;
 }
 
 void add_multipliers(HotStart& hot, std::vector<std::vector<double>>& multipliers) {

@@ -7,6 +7,7 @@
 #include "core/component.hpp"
 #include "core/shift.hpp"
 #include "nda/problem.hpp"
+#include "nda/solution.hpp"
 #include "nda/warm_start.hpp"
 #include "solve/component_solver.hpp"
 
@@ -27,6 +28,7 @@ struct HotStart {
   std::vector<double> open_u;        ///< u by slot of `open`
   std::vector<char> is_best;         ///< by arc of `open`: in the best packing so far
   Precision precision;               ///< of the whole
+  ExchangeYield yield;
 };
 
 /// Nothing where the deadline strikes, or where no arc is live.  No singleton of the problem may be
@@ -50,6 +52,9 @@ HotPart cut_part(const HotStart& hot,
 
 /// Keeps multipliers of a part, by its slots, for add_multipliers().
 void learn(HotStart& hot, const core::Component& part, std::span<const double> u);
+
+/// Adds what it did; the arcs of parts of `open` are counted with these.
+void count(const HotStart& hot, Stats& stats);
 
 /// Adds to multipliers[k][i-1] those of the hot start, or those that it learned, made feasible: the
 /// ones that prove more.

@@ -374,8 +374,11 @@ class ManyToOne {
     solution.stats = rest_->stats;
     for (const double cost : split_.taken_cost)
       solution.components.push_back({1, 0, Status::kOptimal, true, cost, cost, "reductions"});
+    solution.stats.tried_components += split_.taken.size();
     solution.stats.settled_components += split_.taken.size();
     solution.stats.arcs_after_shift += split_.taken.size();
+    solution.stats.arcs_after_fixing += split_.taken.size();
+    solution.stats.arcs_left += split_.taken.size();
     for (const auto& part : parts_) {
       solution.components.push_back(part->report());
       const bounded::BoundedState& state = part->state();
@@ -384,6 +387,7 @@ class ManyToOne {
       solution.stats.nodes += state.nodes;
       solution.stats.arcs_after_shift += part->component().num_arcs();
       solution.stats.arcs_after_fixing += state.live_arcs;
+      solution.stats.arcs_left += state.left_arcs;
     }
   }
 

@@ -5,6 +5,7 @@
 
 #include "core/component.hpp"
 #include "cutting/proof_log.hpp"
+#include "nda/solution.hpp"
 #include "solve/component_solver.hpp"
 #include "solve/settling.hpp"
 
@@ -21,5 +22,8 @@ struct Part {
   const ComponentState& state() const { return settled ? settled->state : solver->state(); }
   const Precision& precision() const { return settled ? settled->precision : solver->precision(); }
 };
+
+/// Adds what was done with a part that is known; what reductions did is counted by the Settler.
+void count(const Part& part, Stats& stats);
 
 }  // namespace nda::pipeline

@@ -21,6 +21,8 @@ void add(const Stats& first, Stats& stats) {
   stats.dual_evaluations += first.dual_evaluations;
   stats.recoveries += first.recoveries;
   stats.nodes += first.nodes;
+  stats.branching += first.branching;
+  stats.searches += first.searches;
 }
 
 // Multipliers that proved more than those of a run that was cut short.

@@ -16,16 +16,34 @@ constexpr std::size_t kMostSettledArcs = 20000;
 
 }  // namespace
 
-std::optional<SettledComponent> settle(const core::Component& component,
-                                       const core::CostGrid& grid,
-                                       Reductions reductions,
-                                       reduce::Reducer& reducer) {
+std::optional<SettledComponent> Settler::settle(const core::Component& component,
+                                                const core::CostGrid& grid,
+                                                Reductions reductions) {
   if (reductions == Reductions::kNone) return std::nullopt;
   if (component.num_arcs() > kMostSettledArcs) return std::nullopt;
-  std::optional<reduce::Settled> found = reducer.settle(
-      component, reductions == Reductions::kAll ? reduce::Effort::kAll : reduce::Effort::kQuick);
+  std::optional<SettledComponent> settled =
+      try_to_settle(component,
+                    grid,
+                    reductions == Reductions::kAll ? reduce::Effort::kAll : reduce::Effort::kQuick);
+  ++tried_;
+  settled_ += settled.has_value();
+  (settled ? useful_ : forgotten_) += reducer_.yield();
+  return settled;
+}
+
+void Settler::count(Stats& stats) const {
+  stats.tried_components += tried_;
+  stats.settled_components += settled_;
+  stats.reductions += useful_;
+  stats.forgotten_reductions += forgotten_;
+}
+
+std::optional<SettledComponent> Settler::try_to_settle(const core::Component& component,
+                                                       const core::CostGrid& grid,
+                                                       reduce::Effort effort) {
+  std::optional<reduce::Settled> found = reducer_.settle(component, effort);
   if (!found) return std::nullopt;
-  SettledComponent settled{{}, precision_of(component, grid), reducer.yield()};
+  SettledComponent settled{{}, precision_of(component, grid)};
   if (found->best.cost - found->certificate > settled.precision.error) return std::nullopt;
   ComponentState& state = settled.state;
   state.best = std::move(found->best);
@@ -34,6 +52,7 @@ std::optional<SettledComponent> settle(const core::Component& component,
   state.lower = std::max(state.certificate, state.best.cost - settled.precision.error);
   state.complete = state.feasible = true;
   state.method = "reductions";
+  state.live_arcs = state.left_arcs = component.num_arcs();
   return settled;
 }
 

@@ -102,9 +102,9 @@ class Pipeline {
     monitor_.begin(shift_.constant + settled, parts_.size(), num_infeasible());
     const auto workers = static_cast<std::size_t>(pipeline::num_workers(options_.num_threads));
     std::vector<core::Cutter> cutters(workers);
-    std::vector<reduce::Reducer> reducers(workers);
+    settlers_.resize(workers);
     for_all_parts([&](std::size_t p, std::size_t worker) {
-      prepare_part(p, cutters[worker], reducers[worker]);
+      prepare_part(p, cutters[worker], settlers_[worker]);
     });
     is_bounded_ = std::all_of(parts_.begin(), parts_.end(), [](const Part& part) {
       return part.settled || (part.solver != nullptr && part.solver->bounded());
@@ -164,7 +164,7 @@ class Pipeline {
     pipeline::for_all(parts_.size(), options_.num_threads, work);
   }
 
-  void prepare_part(std::size_t p, core::Cutter& cutter, reduce::Reducer& reducer) {
+  void prepare_part(std::size_t p, core::Cutter& cutter, pipeline::Settler& settler) {
     if (deadline_.reached()) return;
     Part& part = parts_[p];
     pipeline::Hint hint;
@@ -188,7 +188,7 @@ class Pipeline {
     std::vector<bool> required;
     if (shift_.penalty > 0) required = pipeline::required_slots(part.component, problem_);
     if (required.empty() && options_.method != Method::kRelaxation) {
-      part.settled = pipeline::settle(part.component, grid_, options_.search.reductions, reducer);
+      part.settled = settler.settle(part.component, grid_, options_.search.reductions);
       if (part.settled) return pipeline::tell(part.settled->state, monitor_);
     }
     part.solver = std::make_unique<ComponentSolver>(part.component,
@@ -245,8 +245,12 @@ class Pipeline {
     solution.num_components = parts_.size();
     merge_arcs(solution);
     for (const Part& part : parts_) {
-      if (part.is_known()) report(part, solution);
+      if (!part.is_known()) continue;
+      report(part, solution);
+      pipeline::count(part, solution.stats);
     }
+    for (const pipeline::Settler& settler : settlers_) settler.count(solution.stats);
+    if (hot_) pipeline::count(*hot_, solution.stats);
     merge_multipliers(solution);
     merge_bounds(solution);
     set_status(solution);
@@ -293,14 +297,6 @@ class Pipeline {
       if (shift_.is_enough) line.lower_bound = kInfinity;
     }
     solution.components.push_back(std::move(line));
-    solution.stats.dual_evaluations += state.evaluations;
-    solution.stats.recoveries += state.recoveries;
-    solution.stats.nodes += state.nodes;
-    solution.stats.arcs_after_shift += part.component.num_arcs();
-    solution.stats.arcs_after_fixing += state.live_arcs;
-    if (!part.settled) return;
-    ++solution.stats.settled_components;
-    solution.stats.reductions += part.settled->yield;
   }
 
   void merge_arcs(Solution& solution) {
@@ -462,6 +458,7 @@ class Pipeline {
   std::optional<pipeline::HotStart> hot_;
   decompose::Partition partition_;  // of what the hot start leaves open, or else of all
   std::vector<Part> parts_;
+  std::vector<pipeline::Settler> settlers_;   // one a worker
   pipeline::Coverage covered_;                // by the best packings
   std::vector<pipeline::RealIndex> missing_;  // forbidden singletons among the rest, ascending
   bool is_bounded_ = false;                   // every part has a solver and a bound

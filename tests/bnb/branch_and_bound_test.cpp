@@ -310,6 +310,37 @@ Component two_rivals() {
 }
 const std::vector<double> kRivalMultipliers = {0, -5, 0, 0, 0};
 
+// Below -4.5 the second arc is too dear, and the first is all that is left for the index they
+// share.
+TEST(BranchAndBoundContract, CountsWhatIsFixedAtItsNodes) {
+  const SearchResult result = branch_and_bound(two_rivals(),
+                                               kRivalMultipliers,
+                                               -4.5,
+                                               {keep_the_warm_multipliers, fix_and_split},
+                                               branch_always());
+  EXPECT_EQ(result.best.cost, -5);
+  EXPECT_EQ(result.branching.dropped, 1);
+  EXPECT_EQ(result.branching.taken, 1);
+  EXPECT_EQ(result.branching.splits, 0);
+}
+
+// The same twice.
+TEST(BranchAndBoundContract, CountsThePartsOfItsNodes) {
+  Component component = core::make_component({2, 4});
+  for (const Index i : {1u, 2u}) {
+    core::append_arc(component, std::vector<Index>{i, 2 * i - 1}, -5);
+    core::append_arc(component, std::vector<Index>{i, 2 * i}, -4);
+  }
+  const std::vector<double> u = {0, -5, -5, 0, 0, 0, 0, 0};
+  const SearchResult result = branch_and_bound(
+      component, u, kInfinity, {keep_the_warm_multipliers, split_only}, branch_always());
+  EXPECT_EQ(result.best.cost, -10);
+  EXPECT_EQ(result.branching.dropped, 0);
+  EXPECT_EQ(result.branching.taken, 0);
+  EXPECT_EQ(result.branching.splits, 1);
+  EXPECT_EQ(result.branching.parts, 2);
+}
+
 TEST(BranchAndBoundContract, FindsNothingThatIsNotBetterByTheMargin) {
   BranchLimits limits = branch_always();
   limits.margin = 1.5;

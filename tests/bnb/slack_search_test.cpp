@@ -70,6 +70,10 @@ void expect_same(const SlackResult& one, const SlackResult& other) {
   EXPECT_EQ(one.complete, other.complete);
   EXPECT_EQ(one.nodes, other.nodes);
   EXPECT_EQ(one.work, other.work);
+  EXPECT_EQ(one.fixing.dropped, other.fixing.dropped);
+  EXPECT_EQ(one.fixing.taken, other.fixing.taken);
+  EXPECT_EQ(one.fixing.splits, other.fixing.splits);
+  EXPECT_EQ(one.fixing.parts, other.fixing.parts);
 }
 
 void add_arc(SlackProblem& problem, double reduced, std::vector<RowUse> uses) {
@@ -101,6 +105,36 @@ TEST(SlackSearch, FindsNothingWhereTheBudgetIsTooSmall) {
   const SlackResult result = search(problem, 1.9);
   EXPECT_TRUE(result.complete);
   EXPECT_EQ(result.slack, kInfinity);
+}
+
+// Arc 0 is all that may use row 0; arc 1 shares row 1 with it, arc 2 is too dear.
+TEST(SlackSearch, CountsWhatTheBudgetFixes) {
+  SlackProblem problem(3);
+  for (int row = 0; row < 3; ++row) problem.add_row(row == 0 ? 100 : 1);
+  add_arc(problem, 0, {{0, 1}, {1, 1}});
+  add_arc(problem, 0, {{1, 1}});
+  add_arc(problem, 20, {{2, 1}});
+  const SlackResult result = search(problem, 10);
+  EXPECT_THAT(result.arcs, ElementsAre(0));
+  EXPECT_EQ(result.slack, 1);
+  EXPECT_EQ(result.fixing.taken, 1);
+  EXPECT_EQ(result.fixing.dropped, 2);
+  EXPECT_EQ(result.fixing.splits, 0);
+}
+
+// Three times two rows, an arc over both and one for each: nothing is fixed before they fall apart.
+TEST(SlackSearch, CountsTheParts) {
+  SlackProblem problem(6);
+  for (int row = 0; row < 6; ++row) problem.add_row(1);
+  for (std::uint32_t row = 0; row < 6; row += 2) {
+    add_arc(problem, 0.5, {{row, 1}, {row + 1, 1}});
+    add_arc(problem, 0, {{row, 1}});
+    add_arc(problem, 0, {{row + 1, 1}});
+  }
+  const SlackResult result = search(problem, 10);
+  EXPECT_EQ(result.slack, 0);
+  EXPECT_EQ(result.fixing.splits, 1);
+  EXPECT_EQ(result.fixing.parts, 3);
 }
 
 TEST(SlackSearch, UsesUpWhatMustBe) {

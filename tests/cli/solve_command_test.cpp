@@ -109,11 +109,51 @@ TEST(SolveCommand, TellsWhatReductionsDidOnDemand) {
   EXPECT_THAT(run(folder, "nda solve a.nda").output, Not(HasSubstr("reductions")));
   EXPECT_THAT(run(folder, "nda solve a.nda -v").output,
               AllOf(HasSubstr("  reductions\n"),
-                    HasSubstr("reductions    settled 1 of 1 components\n"),
+                    HasSubstr("reductions    settled 1 of 1 components, 1 tried\n"),
                     HasSubstr("2 arcs that outweigh all they exclude, which dropped 1 more\n")));
   EXPECT_THAT(run(folder, "nda solve a.nda -v --set search.reductions=none").output,
-              AllOf(HasSubstr("reductions    settled 0 of 1 components\n"),
-                    HasSubstr("fixing        left 3 of 3 arcs")));
+              AllOf(HasSubstr("reductions    settled 0 of 1 components, 0 tried\n"),
+                    HasSubstr("\nfixing        left 3 of 3 arcs at first and 3 in the end, ")));
+}
+
+// One arc outweighs its rival, which opens nothing.
+TEST(SolveCommand, TellsOnDemandWhatWasInVain) {
+  const TemporaryFolder folder;
+  write_file(folder / "a.nda",
+             "p nda 3 2 2 2 5\na 2 2 0 -10\na 0 2 1 -1\na 1 1 0 -1\na 1 0 1 -1\na 0 1 1 -1\n");
+  EXPECT_THAT(
+      run(folder, "nda solve a.nda -v").output,
+      HasSubstr("\nreductions    settled 0 of 1 components, 1 tried\n"
+                "in vain       left 3 of 5 arcs of 1 components, which were solved whole\n"
+                "              1 arcs that outweigh all they exclude, which dropped 1 more\n"
+                "fixing        left 5 of 5 arcs at first and "));
+}
+
+TEST(SolveCommand, TellsOnDemandWhatSearchesFixed) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run(folder, "nda generate gadgets -o a.nda").code, 0);
+  const Outcome outcome = run(folder, "nda solve a.nda -v -o a.json");
+  const FixingYield yield = read_solution(folder / "a.json").stats.searches;
+  EXPECT_GT(yield.splits, 0u);
+  EXPECT_THAT(
+      outcome.output,
+      HasSubstr("\nsearches      dropped " + std::to_string(yield.dropped) + " arcs and took " +
+                std::to_string(yield.taken) + "; " + std::to_string(yield.splits) +
+                " nodes fell into " + std::to_string(yield.parts) + " parts\n"));
+}
+
+// Everything is settled before it is split: both arcs of the best solution, and the third against
+// it.
+TEST(SolveCommand, TellsOnDemandWhatAHotStartFixed) {
+  const TemporaryFolder folder;
+  write_file(folder / "a.nda", "p nda 3 2 2 1 3\na 1 1 1 -7\na 1 2 1 -3\na 2 2 0 -4\n");
+  EXPECT_THAT(run(folder, "nda solve a.nda -v --save-warm-start a.warm").output,
+              Not(HasSubstr("exchange")));
+  EXPECT_THAT(
+      run(folder, "nda solve a.nda -v --warm-start a.warm").output,
+      AllOf(HasSubstr("components    0, 3 of 3 arcs after the cost shift\n"),
+            HasSubstr("\nexchange      kept 2 and excluded 1 of 3 arcs in 1 rounds of a hot start\n"
+                      "fixing        left 0 of 0 arcs")));
 }
 
 TEST(SolveCommand, PrintsTheJsonOnceAndNothingElse) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "cutting/cutting_support.hpp"
 
 namespace nda::cutting {
@@ -48,6 +50,16 @@ Outcome search(const Component& component, double cutoff, std::int64_t max_nodes
   return outcome;
 }
 
+// The arcs of all packings cheaper than that.
+std::size_t num_arcs_below(const Component& component, double cutoff) {
+  std::vector<bool> used(component.num_arcs(), false);
+  for (const Packing& packing : support::all_packings(component)) {
+    if (packing.cost >= cutoff) continue;
+    for (const core::ArcId a : packing.arcs) used[a] = true;
+  }
+  return static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
+}
+
 // From no solution at all, so that every circle but the last is empty.
 TEST(Widening, FindsTheOptimumAndProvesIt) {
   for (std::uint64_t seed = 0; seed < 1500; ++seed) {
@@ -68,6 +80,21 @@ TEST(Widening, ItsBoundHoldsWhereverItStops) {
     const Outcome outcome = search(component, 1e-6, static_cast<std::int64_t>(seed % 4));
     ASSERT_LE(outcome.result.lower, best + 1e-6) << "seed " << seed;
   }
+}
+
+TEST(Widening, SaysHowManyArcsReducedCostsLeft) {
+  std::size_t dropped = 0;
+  for (std::uint64_t seed = 0; seed < 600; ++seed) {
+    SCOPED_TRACE(seed);
+    const Component component = fractional_component(seed);
+    const double cutoff = support::best_cost(component) + 0.3;
+    const Outcome outcome = search(component, cutoff, static_cast<std::int64_t>(seed % 3));
+    const std::size_t live = outcome.result.live_arcs;
+    EXPECT_LE(live, component.num_arcs());
+    EXPECT_GE(live, num_arcs_below(component, outcome.best.cost - 1e-6));
+    dropped += component.num_arcs() - live;
+  }
+  EXPECT_GT(dropped, 100);
 }
 
 }  // namespace

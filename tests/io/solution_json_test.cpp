@@ -32,6 +32,14 @@ Solution example() {
   solution.stats.nodes = 8;
   solution.stats.arcs_after_shift = 5;
   solution.stats.arcs_after_fixing = 4;
+  solution.stats.arcs_left = 3;
+  solution.stats.tried_components = 2;
+  solution.stats.settled_components = 1;
+  solution.stats.reductions = {1, 9, 2, 3, 4, 5, 6, 7, 8, 10, 0};
+  solution.stats.forgotten_reductions = {1, 19, 12, 13, 14, 15, 16, 17, 18, 20, 11};
+  solution.stats.exchange = {30, 21, 22, 23};
+  solution.stats.branching = {24, 25, 26, 27};
+  solution.stats.searches = {34, 35, 36, 37};
   solution.stats.certificate_bound = -0.5;
   solution.stats.bound_by_branching = true;
   solution.reason = "a \"quoted\" reason\n\xc3\xa9";
@@ -65,7 +73,7 @@ TEST(SolutionJson, HasOneLinePerFieldAndElement) {
     {"arcs":4,"indices":3,"status":"optimal","proven":true,"cost":-1.0,"lower_bound":-1.0,"method":"enumeration"},
     {"arcs":3,"indices":2,"status":"node_limit","proven":false,"cost":2.0,"lower_bound":"-inf","method":"branch and bound"}
   ],
-  "stats": {"read_seconds":0.25,"solve_seconds":1.5,"peak_memory_bytes":12345678901,"dual_evaluations":60,"recoveries":6,"nodes":8,"arcs_after_shift":5,"arcs_after_fixing":4,"certificate_bound":-0.5,"bound_by_branching":true}
+  "stats": {"read_seconds":0.25,"solve_seconds":1.5,"peak_memory_bytes":12345678901,"dual_evaluations":60,"recoveries":6,"nodes":8,"arcs_after_shift":5,"arcs_after_fixing":4,"arcs_left":3,"tried_components":2,"settled_components":1,"reductions":{"components":1,"arcs":9,"outweighing":2,"excluded":3,"redundant":4,"single":5,"unprofitable":6,"dominated":7,"sides":8,"side_arcs":10,"left":0},"forgotten_reductions":{"components":1,"arcs":19,"outweighing":12,"excluded":13,"redundant":14,"single":15,"unprofitable":16,"dominated":17,"sides":18,"side_arcs":20,"left":11},"exchange":{"arcs":30,"kept":21,"excluded":22,"rounds":23},"branching":{"dropped":24,"taken":25,"splits":26,"parts":27},"searches":{"dropped":34,"taken":35,"splits":36,"parts":37},"certificate_bound":-0.5,"bound_by_branching":true}
 }
 )json");
 }
@@ -89,6 +97,17 @@ TEST(SolutionJson, RestoresEveryField) {
   EXPECT_EQ(actual.stats.peak_memory_bytes, 12345678901u);
   // What is left is compared through the text, which holds all fields.
   EXPECT_EQ(solution_to_json(actual), solution_to_json(expected));
+}
+
+// As files of before do.
+TEST(SolutionJson, MayLackWhatReductionsAndFixingDid) {
+  std::string text = solution_to_json(example());
+  const std::size_t begin = text.find("\"arcs_left\"");
+  text.erase(begin, text.find("\"certificate_bound\"") - begin);
+  const Stats stats = solution_from_json(text).stats;
+  EXPECT_EQ(stats.arcs_after_fixing, 4u);
+  EXPECT_EQ(stats.certificate_bound, -0.5);
+  EXPECT_EQ(stats.reductions.arcs, 0u);
 }
 
 TEST(SolutionJson, RestoresEveryStatusAndInfinity) {

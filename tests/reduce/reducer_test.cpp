@@ -41,6 +41,8 @@ TEST(Reducer, CountsWhatEveryRuleDid) {
     const ReductionYield& yield = reducer.yield();
     std::size_t paying = 0;
     for (const double cost : component.costs) paying += cost < 0;
+    EXPECT_EQ(yield.components, 1);
+    EXPECT_EQ(yield.arcs, component.num_arcs());
     EXPECT_EQ(yield.left, arcs_alive(reducer.pool()).size());
     EXPECT_EQ(yield.dominated + yield.outweighing + yield.excluded + yield.single +
                   yield.unprofitable + yield.side_arcs + yield.left,
@@ -48,6 +50,7 @@ TEST(Reducer, CountsWhatEveryRuleDid) {
     expect_equivalent(component, reducer.pool(), seed);
     total += yield;
   }
+  EXPECT_EQ(total.components, 500);
   EXPECT_GT(std::min({total.dominated,
                       total.redundant,
                       total.outweighing,
@@ -96,6 +99,8 @@ TEST(Reducer, SettlesNothingWhereTheRelaxationHasAGap) {
   Reducer reducer;
   EXPECT_FALSE(reducer.settle(triangle, Effort::kAll).has_value());
   EXPECT_EQ(reducer.yield().left, 3);
+  EXPECT_FALSE(reducer.settle(triangle, Effort::kQuick).has_value());
+  EXPECT_EQ(reducer.yield().components, 0) << "its cheapest arc does not outweigh the others";
 }
 
 }  // namespace

@@ -13,6 +13,13 @@
 namespace nda {
 namespace {
 
+// All counters are in it.
+std::string without_times(Solution solution) {
+  solution.stats.read_seconds = solution.stats.solve_seconds = 0;
+  solution.stats.peak_memory_bytes = 0;
+  return solution_to_json(solution);
+}
+
 // Everything but times and memory, to the last bit.
 void expect_same(const Solution& one, const Solution& two) {
   EXPECT_EQ(one.status, two.status);
@@ -31,9 +38,7 @@ void expect_same(const Solution& one, const Solution& two) {
     EXPECT_EQ(one.components[c].lower_bound, two.components[c].lower_bound);
     EXPECT_EQ(one.components[c].method, two.components[c].method);
   }
-  EXPECT_EQ(one.stats.dual_evaluations, two.stats.dual_evaluations);
-  EXPECT_EQ(one.stats.recoveries, two.stats.recoveries);
-  EXPECT_EQ(one.stats.nodes, two.stats.nodes);
+  EXPECT_EQ(without_times(one), without_times(two));
 }
 
 std::string proof_text(const Solution& solution) {

@@ -90,11 +90,31 @@ TEST(Settling, SaysWhatSettledAComponent) {
   EXPECT_EQ(solution.cost, -6);
   EXPECT_EQ(solution.stats.settled_components, 2);
   EXPECT_EQ(solution.components[0].method, "reductions");
+  EXPECT_EQ(solution.stats.tried_components, 2);
+  EXPECT_EQ(solution.stats.reductions.components, 2);
+  EXPECT_EQ(solution.stats.reductions.arcs, 3);
+  EXPECT_EQ(solution.stats.forgotten_reductions.components, 0);
   EXPECT_EQ(solution.stats.reductions.outweighing, 2);
   EXPECT_EQ(solution.stats.reductions.excluded, 1);
   EXPECT_FALSE(solution.stats.bound_by_branching);
   EXPECT_THAT(solution.solutions.front().arcs,
               ElementsAre(ElementsAre(1, 1, 1), ElementsAre(2, 2, 2)));
+}
+
+// An arc that outweighs its one rival beside an odd cycle, which no rule opens.
+TEST(Settling, SaysWhatWasInVain) {
+  const Problem problem = support::make_problem(
+      {2, 2, 2},
+      {{{2, 2, 0}, -10}, {{0, 2, 1}, -1}, {{1, 1, 0}, -1}, {{1, 0, 1}, -1}, {{0, 1, 1}, -1}});
+  const Stats stats = solve(problem).stats;
+  EXPECT_EQ(stats.tried_components, 1);
+  EXPECT_EQ(stats.settled_components, 0);
+  EXPECT_EQ(stats.reductions.components, 0);
+  EXPECT_EQ(stats.forgotten_reductions.components, 1);
+  EXPECT_EQ(stats.forgotten_reductions.arcs, 5);
+  EXPECT_EQ(stats.forgotten_reductions.outweighing, 1);
+  EXPECT_EQ(stats.forgotten_reductions.excluded, 1);
+  EXPECT_EQ(stats.forgotten_reductions.left, 3);
 }
 
 TEST(Settling, IsNotTriedWhereSingletonsAreForbidden) {
@@ -119,8 +139,8 @@ TEST(Settling, LeavesLargeComponentsAlone) {
   core::Component component = core::make_component({1, 1, 30000});
   for (Index i = 1; i <= 30000; ++i)
     core::append_arc(component, std::vector<Index>{1, 1, i}, -static_cast<double>(i));
-  reduce::Reducer reducer;
-  EXPECT_FALSE(pipeline::settle(component, {}, Reductions::kAll, reducer).has_value());
+  pipeline::Settler settler;
+  EXPECT_FALSE(settler.settle(component, {}, Reductions::kAll).has_value());
 }
 
 }  // namespace

@@ -1,0 +1,107 @@
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "bnb/branch_and_bound.hpp"
+#include "core/random.hpp"
+#include "decompose/components.hpp"
+#include "decompose/reduced_cost_fixing.hpp"
+#include "recovery/core_search.hpp"
+#include "relax/lagrangian.hpp"
+#include "solve/component_solver.hpp"
+
+// Lagrangian branch and bound on a component: every node is relaxed, fixed by reduced costs and
+// split anew.
+
+namespace nda::pipeline {
+
+using core::ArcId;
+using core::Component;
+using core::Packing;
+
+namespace {
+
+// Fixing and splitting as branch and bound wants them.
+bnb::Reduction reduce(const Component& component, const bnb::NodeBound& bound, double cutoff) {
+  const decompose::Fixing fixing = decompose::fix(component, bound.u, bound.lower, cutoff);
+  bnb::Reduction reduction;
+  for (const ArcId a : fixing.taken) {
+    reduction.taken.arcs.push_back(core::original_arc(component, a));
+    reduction.taken.cost += component.costs[a];
+  }
+  core::Cutter cutter;
+  const Component live = cutter.cut(component, fixing.live);
+  const std::vector<double> live_u = core::restrict_slots(component, bound.u, live);
+  const decompose::Partition parts = decompose::partition(live);
+  for (std::size_t c = 0; c < parts.num_components(); ++c) {
+    reduction.parts.push_back(cutter.cut(live, parts.component(c)));
+    reduction.u.push_back(core::restrict_slots(live, live_u, reduction.parts.back()));
+  }
+  return reduction;
+}
+
+// Arcs that it left.
+std::size_t num_arcs(const bnb::Reduction& reduction) {
+  std::size_t count = reduction.taken.arcs.size();
+  for (const Component& part : reduction.parts) count += part.num_arcs();
+  return count;
+}
+
+}  // namespace
+
+void ComponentSolver::branch() {
+  state_.method = "branch and bound";
+  bnb::Collaborators collaborators;
+  collaborators.bound = [&](const Component& node, std::span<const double> warm, double cutoff) {
+    relax::LagrangianOptions loop = loop_options(node);
+    loop.max_evaluations = options_.branch.node_evaluations;
+    loop.recovery_interval = 0;
+    loop.goal = cutoff;
+    // Coordinate ascent stalls at kinks: a tree bounded by it need not end.
+    if (loop.dual_method == DualMethod::kCoordinate) loop.dual_method = DualMethod::kBundleTrust;
+    relax::LagrangianResult dual = relax::maximize_dual(node, warm, loop, {});
+    state_.evaluations += dual.evaluations;
+    bnb::NodeBound bound{std::move(dual.u), dual.lower, {}};
+    const double inherited = std::accumulate(warm.begin(), warm.end(), 0.0);
+    if (inherited > bound.lower) bound = {{warm.begin(), warm.end()}, inherited, {}};
+    if (bound.lower >= cutoff) return bound;
+    recovery::CoreSearchOptions search;
+    search.kicks_per_index = 0;
+    search.goal = bound.lower;
+    core::Random random(seed_);
+    bound.packing =
+        recovery::search_core(node, bound.u, cutoff - bound.lower, {}, search, random, deadline_);
+    return bound;
+  };
+  collaborators.reduce = [&](const Component& node, const bnb::NodeBound& bound, double cutoff) {
+    bnb::Reduction reduction = reduce(node, bound, cutoff);
+    if (&node != &component_) return reduction;  // else it is the root
+    note_left(num_arcs(reduction));
+    if (options_.method == Method::kExact) state_.live_arcs = num_arcs(reduction);
+    return reduction;
+  };
+  bnb::BranchLimits limits;
+  limits.max_nodes = options_.branch.max_nodes - state_.nodes;
+  limits.margin = precision_.margin;
+  limits.error = precision_.error;
+  limits.gap = allowed_gap_;
+  limits.deadline = deadline_;
+  const bool coarse = limits.gap > limits.margin;
+  const double cutoff = state_.best.cost - std::max(limits.margin, limits.gap);
+  bnb::SearchResult result =
+      bnb::branch_and_bound(component_, state_.u, cutoff, collaborators, limits);
+  state_.nodes += result.nodes;
+  state_.searches += result.searches;
+  state_.branching += result.branching;
+  if (result.found) {
+    Packing packing;
+    packing.cost = result.best.cost;
+    packing.arcs = core::arcs_from_original(component_, result.best.arcs);
+    offer(packing, "branch and bound");
+  }
+  const double missed = coarse ? limits.gap : limits.error;
+  raise_bound(result.complete ? state_.best.cost - missed : std::min(result.lower, cutoff),
+              "branch and bound");
+}
+
+}  // namespace nda::pipeline
