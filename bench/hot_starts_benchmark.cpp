@@ -107,6 +107,11 @@ double share_of_same(const Problem& last, const Problem& window, int kept) {
          static_cast<double>(std::max<std::size_t>(1, window.num_arcs()));
 }
 
+// What a hot start left to the rest of the pipeline.
+std::size_t num_open_arcs(const Stats& stats) {
+  return stats.arcs_after_shift - stats.exchange.kept - stats.exchange.excluded;
+}
+
 class Measurement {
  public:
   // Every window of the sequence but the first.
@@ -174,7 +179,7 @@ class Measurement {
                              static_cast<double>(hot.stats.dual_evaluations),
                              static_cast<double>(cold.stats.nodes),
                              static_cast<double>(hot.stats.nodes),
-                             static_cast<double>(hot.stats.arcs_after_shift)};
+                             static_cast<double>(num_open_arcs(hot.stats))};
     for (std::size_t f = 0; f < kNumFigures; ++f) figures[f].push_back(values[f]);
   }
 

@@ -5,7 +5,8 @@
 
 Needs a Release build with -DNDA_BUILD_BENCHMARKS=ON.  Files are all those of ../shared/data/arcs, if they are there, and one of every
 generated family at its default parameters; PATTERN selects files by a part of their name.  The two tables of what is removed come from
-bench/reductions_benchmark, to which S goes; times are the least of N runs, in which the settings take turns, of files solved within a second.
+bench/reductions_benchmark, to which S goes; what a solve counts and times, the least of N runs in which the settings take turns, are of files
+solved within a second.
 """
 
 import argparse
@@ -36,9 +37,30 @@ def generated_files(nda, folder):
     return files
 
 
+def solve(nda, path, *options):
+    command = [nda, "solve", path, "-q", "--json", "--threads", "1", *options]
+    result = subprocess.run(command, capture_output=True, text=True)
+    return json.loads(result.stdout)["stats"] if result.returncode == 0 else None
+
+
 def solve_seconds(nda, path, setting):
-    command = [nda, "solve", path, "-q", "--json", "--threads", "1", "--set", f"search.reductions={setting}"]
-    return json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)["stats"]["solve_seconds"]
+    return solve(nda, path, "--set", f"search.reductions={setting}")["solve_seconds"]
+
+
+def quick_stats(nda, path):
+    """Those of a solve that ends within QUICK_S; else None."""
+    return solve(nda, path, "--time-limit", str(QUICK_S))
+
+
+def fixing_table(stats):
+    lines = ["| file | arcs | at first | in the end | dropped | taken | splits: parts |", "|" + 7 * "---|"]
+    for path, known in stats.items():
+        searches = known["searches"]
+        lines.append(
+            f"| {path.name.split('.nda')[0]} | {known['arcs_after_shift']} | {known['arcs_after_fixing']} | {known['arcs_left']} | "
+            f"{searches['dropped']} | {searches['taken']} | {searches['splits']}: {searches['parts']} |"
+        )
+    return "\n".join(lines)
 
 
 def times_table(nda, paths, runs):
@@ -53,13 +75,6 @@ def times_table(nda, paths, runs):
     means = [1000 * math.exp(total / len(paths)) for total in logs]
     lines.append("| geometric mean | " + " | ".join(f"{mean:.3g}" for mean in means) + " |")
     return "\n".join(lines)
-
-
-def is_quick(nda, path):
-    """Solved so soon that times can be taken."""
-    command = [nda, "solve", path, "-q", "--json", "--threads", "1", "--time-limit", str(QUICK_S)]
-    result = subprocess.run(command, capture_output=True, text=True)
-    return result.returncode == 0
 
 
 PAGE = """# Reductions, measured
@@ -79,9 +94,17 @@ that `search.reductions=quick` settles; *settled*: those of which all rules leav
 ## What reduced costs leave
 
 Components of more than 128 arcs, after 50 evaluations of the dual function and with the cost of the best solution found in {limit:g} s: what fixing leaves of
-them, how many arcs it takes (fixing to one), and into how many parts the rest falls. Components that these bounds prove optimal are left out.
+them, how many arcs it drops (to zero) and takes (to one), and into how many parts the rest falls. Components that these bounds prove optimal are left out.
 
 {second}
+
+## What fixing does in a solve
+
+Of all files that are solved within {quick:g} s, [as a solve counts it](../reductions.md#what-a-solve-counts): the arcs that the cost shift leaves, those that reduced costs leave of whole
+components *at first* and *in the end*, and what is fixed within branch and cut and its searches, where an arc counts at every node. What Lagrangian branch and bound (`--method exact`)
+fixes at a root is in the table before.
+
+{fixing}
 
 ## Time
 
@@ -105,8 +128,10 @@ def main():
         files = [path for path in files if not arguments.patterns or any(p in path.name for p in arguments.patterns)]
         command = [arguments.build / "bench/reductions_benchmark", "--limit", str(arguments.limit), *files]
         first, second = subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip().split("\n\n")
-        times = times_table(nda, [path for path in files if is_quick(nda, path)], arguments.runs)
-    page = PAGE.format(first=first, second=second, times=times, limit=arguments.limit, runs=arguments.runs, quick=QUICK_S)
+        stats = {path: found for path in files if (found := quick_stats(nda, path))}
+        fixing = fixing_table(stats)
+        times = times_table(nda, list(stats), arguments.runs)
+    page = PAGE.format(first=first, second=second, fixing=fixing, times=times, limit=arguments.limit, runs=arguments.runs, quick=QUICK_S)
     print(page)
     if not arguments.no_write:
         (ROOT / "docs/benchmarks/reductions.md").write_text(page, encoding="utf-8")

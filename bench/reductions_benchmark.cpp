@@ -6,8 +6,8 @@
 // that the cost shift leaves; how many search.reductions=quick settles, and of how many all rules
 // leave nothing.  The second, of components of more than 128 arcs: what is left when 50 evaluations
 // of the dual function and the best solution that a solve of S seconds (default 5) finds have fixed
-// what they can, how many arcs fixing takes, into how many components that leaves it, and what the
-// rules remove then.
+// what they can, how many arcs fixing drops (to zero) and takes (to one), into how many components
+// that leaves it, and what the rules remove then.
 
 #include <cmath>
 #include <cstdio>
@@ -39,13 +39,12 @@ constexpr int kEvaluations = 50;
 
 struct Row {
   std::string name;
-  std::size_t components = 0;
-  std::size_t arcs = 0;
   std::size_t indices = 0;
   std::size_t settled_quickly = 0;
   std::size_t settled = 0;
-  std::size_t taken = 0;  // by fixing
-  std::size_t parts = 0;  // after fixing
+  std::size_t dropped = 0;  // by fixing
+  std::size_t taken = 0;    // by fixing
+  std::size_t parts = 0;    // after fixing
   ReductionYield yield;
 };
 
@@ -55,8 +54,6 @@ void reduce(const Component& component, Row& row) {
   reducer.reduce(component, Effort::kAll);
   row.settled += reducer.yield().left == 0;
   row.yield += reducer.yield();
-  ++row.components;
-  row.arcs += component.num_arcs();
   row.indices += component.num_indices();
 }
 
@@ -80,6 +77,7 @@ void fix_and_reduce(const Component& component, double cost, Row& row) {
   const auto fixing = nda::decompose::fix(component, dual.u, dual.lower, cutoff);
   nda::core::Cutter cutter;
   const Component live = cutter.cut(component, fixing.live);
+  row.dropped += component.num_arcs() - fixing.live.size() - fixing.taken.size();
   row.taken += fixing.taken.size();
   row.parts += nda::decompose::partition(live).num_components();
   reduce(live, row);
@@ -138,26 +136,31 @@ void print_first(const std::vector<Row>& rows) {
               kYieldColumns);
   std::printf("|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   for (const Row& row : rows) {
-    std::printf(
-        "| %s | %zu | %zu | %zu | ", row.name.c_str(), row.components, row.indices, row.arcs);
+    std::printf("| %s | %zu | %zu | %zu | ",
+                row.name.c_str(),
+                row.yield.components,
+                row.indices,
+                row.yield.arcs);
     print_yield(row);
     std::printf(" %zu | %zu |\n", row.settled_quickly, row.settled);
   }
 }
 
 void print_second(const std::vector<Row>& rows) {
-  std::printf("\n| file | components | arcs taken by fixing | parts | indices | arcs | %s\n",
-              kYieldColumns);
-  std::printf("|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+  std::printf(
+      "\n| file | components | dropped by fixing | taken by fixing | parts | indices | arcs | %s\n",
+      kYieldColumns);
+  std::printf("|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   for (const Row& row : rows) {
-    if (row.components == 0) continue;
-    std::printf("| %s | %zu | %zu | %zu | %zu | %zu | ",
+    if (row.yield.components == 0) continue;
+    std::printf("| %s | %zu | %zu | %zu | %zu | %zu | %zu | ",
                 row.name.c_str(),
-                row.components,
+                row.yield.components,
+                row.dropped,
                 row.taken,
                 row.parts,
                 row.indices,
-                row.arcs);
+                row.yield.arcs);
     print_yield(row);
     std::printf("\n");
   }
