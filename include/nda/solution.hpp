@@ -126,7 +126,7 @@ struct Stats {
   ReductionYield forgotten_reductions;    ///< of the others: they were solved as if untouched
   ExchangeYield exchange;                 ///< of a hot start; its arcs are among arcs_after_shift
   FixingYield branching;                  ///< at nodes of Lagrangian branch and bound
-  FixingYield searches;                   ///< in branch and cut, and in searches for its bounds
+  FixingYield searches;                   ///< in branch and cut, and in searches in the slack
   double certificate_bound = -kInfinity;  ///< what the multipliers alone prove; -inf without any
   bool bound_by_branching = false;  ///< lower_bound exceeds certificate_bound: the search proved it
 };

@@ -3,6 +3,7 @@
 #include "core/shift.hpp"
 #include "nda/solve.hpp"
 #include "solve/medium_problems.hpp"
+#include "support/many_to_one_problems.hpp"
 #include "support/random_problems.hpp"
 #include "support/tiny_problems.hpp"
 
@@ -68,6 +69,29 @@ TEST(Yields, EveryFixingLeavesAPartOfWhatThereWas) {
   }
   EXPECT_GT(dropped, 1000);
   EXPECT_GT(excluded, 500);
+}
+
+// Parts with bounds: some are fixed, and those that end at once count with all of their arcs.
+TEST(Yields, OfPartsWithBoundsAreWhatFixingLeft) {
+  int whole = 0, fixed = 0;
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    SCOPED_TRACE(seed);
+    support::BoundedKind kind;
+    kind.num_arcs = 14;
+    kind.tight = true;
+    const Solution solution = solve(support::random_bounded_problem(seed, kind));
+    const Stats& stats = solution.stats;
+    if (solution.status != Status::kOptimal) continue;
+    std::size_t arcs = 0;
+    for (const ComponentReport& component : solution.components) arcs += component.num_arcs;
+    EXPECT_EQ(stats.arcs_after_shift, arcs);
+    EXPECT_LE(stats.arcs_after_fixing, arcs);
+    EXPECT_LE(stats.arcs_left, stats.arcs_after_fixing);
+    whole += stats.arcs_left == arcs && arcs > 0;
+    fixed += stats.arcs_left < arcs;
+  }
+  EXPECT_GT(whole, 50);
+  EXPECT_GT(fixed, 5);
 }
 
 // Where the search that comes first does not end, Lagrangian branch and bound has the rest of the
