@@ -94,7 +94,9 @@ struct RelaxationOptions {
 struct SearchOptions {
   Reductions reductions = Reductions::kQuick;
   bool local_search = true;  ///< local search and neighbourhood search where bounds do not end it
-  int kicks_per_index = 2;   ///< of local search: random moves per index of the component; >= 0
+  /// With it: the dimensionwise move, where a good part of all tuples are arcs (docs/pipeline.md).
+  bool dimensionwise = true;
+  int kicks_per_index = 2;  ///< of local search: random moves per index of the component; >= 0
 };
 
 /// How solve_k_best() finds the solutions after the first (docs/k_best.md).

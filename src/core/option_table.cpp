@@ -239,6 +239,11 @@ void add_search_and_branch(std::vector<OptionRow>& rows) {
       [](auto& options) -> auto& { return options.search.local_search; },
       {"false", "true"},
       "local search and neighbourhood search where bounds do not end it"));
+  rows.push_back(choice<bool>(
+      "search.dimensionwise",
+      [](auto& options) -> auto& { return options.search.dimensionwise; },
+      {"false", "true"},
+      "with it: the dimensionwise move, where a good part of all tuples are arcs"));
   rows.push_back(number<int>(
       "search.kicks_per_index",
       [](auto& options) -> auto& { return options.search.kicks_per_index; },

@@ -42,7 +42,7 @@ void exact(Options& options) {
 // Relaxation and recovery, and nothing else.
 void relaxation_alone(Options& options) {
   options.method = Method::kRelaxation;
-  options.search = {Reductions::kNone, false, 0};
+  options.search = {Reductions::kNone, false, false, 0};
   options.ranking.local_search = false;
   RelaxationOptions& relaxation = options.relaxation;
   relaxation.two_first = false;

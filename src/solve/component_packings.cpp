@@ -147,6 +147,20 @@ void ComponentSolver::search(double work) {
         "neighbourhoods");
 }
 
+// Where most tuples are arcs a dimensionwise descent takes less time than whatever found the best
+// packing, and improves most of them.
+void ComponentSolver::reassign(double work) {
+  if (!may_search() || !options_.search.dimensionwise) return;
+  if (options_.method == Method::kRelaxation) return;
+  if (component_.num_arcs() <= options_.branch.exact_arcs) return;
+  if (!recovery::DimensionwiseSearch::suits(component_)) return;
+  if (!dimensionwise_) dimensionwise_.emplace(component_, deadline_);
+  core::Random random(seed_);
+  Packing packing = state_.best;
+  dimensionwise_->improve(packing, work, search_goal(), random);
+  if (packing.cost < state_.best.cost) accept(packing, "dimensionwise");
+}
+
 // With a gap that wide a proof is far away; better solutions are not.
 bool ComponentSolver::is_wide() const {
   return state_.best.cost - state_.lower > kWideGap * std::abs(state_.best.cost);

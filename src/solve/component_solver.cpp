@@ -42,6 +42,8 @@ constexpr int kLargeInterval = 100;
 // A rounded point is worth descending from when it misses the best by at most this share of the
 // gap.
 constexpr double kPromising = 0.25;
+// Of the dimensionwise search of a component too large for an early linear program.
+constexpr double kReassigningPerArc = 200;
 // Time kept for the last certificate, as a multiple of what the first took.
 constexpr double kCertifyReserve = 1.3;
 
@@ -140,7 +142,9 @@ void ComponentSolver::start() {
   }
   if (state_.complete) return;
   relax();
-  if (is_large()) search(first_work());
+  if (!is_large()) return;
+  reassign(kReassigningPerArc * static_cast<double>(component_.num_arcs()));
+  search(first_work());
 }
 
 // Too large for branch and cut to end it at once; otherwise better packings can wait.
@@ -341,6 +345,12 @@ void ComponentSolver::accept_multipliers(std::vector<double> u,
 
 bool ComponentSolver::offer(const Packing& packing, const char* event) {
   if (packing.cost >= state_.best.cost) return false;
+  accept(packing, event);
+  reassign(0);
+  return true;
+}
+
+void ComponentSolver::accept(const Packing& packing, const char* event) {
   if (!state_.feasible && covers_required(packing)) {
     state_.feasible = true;
     monitor_.component_feasible();
@@ -348,7 +358,6 @@ bool ComponentSolver::offer(const Packing& packing, const char* event) {
   monitor_.moved(packing.cost - state_.best.cost, 0.0, event);
   state_.best = packing;
   raise_bound(state_.lower, event);
-  return true;
 }
 
 void ComponentSolver::raise_bound(double lower, const char* event) {

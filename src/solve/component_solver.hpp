@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "bnb/slack_search.hpp"
@@ -14,6 +15,7 @@
 #include "cutting/widening.hpp"
 #include "nda/options.hpp"
 #include "nda/solution.hpp"
+#include "recovery/dimensionwise_search.hpp"
 #include "relax/lagrangian.hpp"
 #include "solve/monitor.hpp"
 
@@ -128,6 +130,7 @@ class ComponentSolver {
                         double swap_work);
   double swap_work(double work);
   void search(double work);
+  void reassign(double work);
   bool is_wide() const;
   bool is_large() const;
   std::vector<core::ArcId> live_arcs() const;
@@ -141,6 +144,7 @@ class ComponentSolver {
   Status reason_to_stop() const;
   bool covers_required(const core::Packing& packing) const;
   bool offer(const core::Packing& packing, const char* event);
+  void accept(const core::Packing& packing, const char* event);
   void raise_bound(double lower, const char* event);
   bool close_enough() const;
   double search_goal() const;
@@ -173,6 +177,7 @@ class ComponentSolver {
   double certify_s_ = 0;                   // what making multipliers feasible took
   double allowed_gap_ = 0;                 // absolute, that ends the second stage
   double dearest_ = 0;  // if any packing covers all required slots, one costs no more
+  std::optional<recovery::DimensionwiseSearch> dimensionwise_;
   ComponentState state_;
 };
 

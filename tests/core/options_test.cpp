@@ -153,6 +153,7 @@ constexpr std::pair<const char*, const char*> kPapers[] = {
      "relaxation.recovery_evaluations=10 relaxation.recovery_interval=1000000 "
      "relaxation.relative_tolerance=1e-07 relaxation.alignment=best_value "
      "relaxation.inner_evaluations=0 search.reductions=none search.local_search=false "
+     "search.dimensionwise=false "
      "search.kicks_per_index=0 ranking.method=exact ranking.branches=4 "
      "ranking.local_search=false "},
     {"deb-1992",
@@ -164,7 +165,8 @@ constexpr std::pair<const char*, const char*> kPapers[] = {
      "relaxation.max_evaluations=50 relaxation.recovery_evaluations=2 "
      "relaxation.recovery_interval=1 relaxation.relative_tolerance=1e-07 "
      "relaxation.alignment=best_value relaxation.inner_evaluations=0 "
-     "search.reductions=none search.local_search=false search.kicks_per_index=0 "
+     "search.reductions=none search.local_search=false search.dimensionwise=false "
+     "search.kicks_per_index=0 "
      "ranking.method=exact ranking.branches=4 "
      "ranking.local_search=false "},
     {"poore-1995",
@@ -177,6 +179,7 @@ constexpr std::pair<const char*, const char*> kPapers[] = {
      "relaxation.recovery_evaluations=10 relaxation.recovery_interval=1000000 "
      "relaxation.relative_tolerance=1e-07 relaxation.alignment=best_value "
      "relaxation.inner_evaluations=0 search.reductions=none search.local_search=false "
+     "search.dimensionwise=false "
      "search.kicks_per_index=0 ranking.method=exact ranking.branches=4 "
      "ranking.local_search=false "},
     {"partial-bnb",
@@ -189,6 +192,7 @@ constexpr std::pair<const char*, const char*> kPapers[] = {
      "relaxation.recovery_evaluations=10 relaxation.recovery_interval=1000000 "
      "relaxation.relative_tolerance=1e-07 relaxation.alignment=least_violation "
      "relaxation.inner_evaluations=10 search.reductions=none search.local_search=false "
+     "search.dimensionwise=false "
      "search.kicks_per_index=0 ranking.method=alignments ranking.branches=4 "
      "ranking.local_search=false "},
     {"murty-bnb",
@@ -201,6 +205,7 @@ constexpr std::pair<const char*, const char*> kPapers[] = {
      "relaxation.recovery_evaluations=10 relaxation.recovery_interval=1000000 "
      "relaxation.relative_tolerance=1e-07 relaxation.alignment=least_violation "
      "relaxation.inner_evaluations=10 search.reductions=none search.local_search=false "
+     "search.dimensionwise=false "
      "search.kicks_per_index=0 ranking.method=murty ranking.branches=4 "
      "ranking.local_search=false "},
 };
