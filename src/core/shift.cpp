@@ -118,8 +118,7 @@ CostGrid find_grid(const Problem& problem, const Deadline& deadline) {
       largest = max_of(largest, std::abs(cost));
       return on_grid(cost, scale);
     };
-    if (all_costs(problem, deadline, fits))
-      return {1 / scale, digits == 0, digits == 0 ? 0.0 : largest};
+    if (all_costs(problem, deadline, fits)) return {1 / scale, digits == 0, largest};
   }
   return {};
 }

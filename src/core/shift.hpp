@@ -56,7 +56,7 @@ inline double shifted_cost(const Problem& problem, const Shift& shift, std::size
 struct CostGrid {
   double step = 0;
   bool exact = false;
-  double largest = 0;  ///< where there is a grid that is not exact: of the finite costs, in size
+  double largest = 0;  ///< of the finite costs, in size; 0 where there is no grid
 };
 
 /// No grid where the deadline strikes.

@@ -77,9 +77,14 @@ Precision precision_of(const Component& component, const core::CostGrid& grid) {
 Precision precision_of(std::size_t num_indices, double largest, const core::CostGrid& grid) {
   Precision precision;
   precision.error = 0x1p-50 * static_cast<double>(num_indices) * largest;
-  // The costs before the shift are what is rounded where a bound is rounded up.
-  const double error = 0x1p-50 * static_cast<double>(num_indices) * std::max(largest, grid.largest);
-  precision.margin = grid.step > 16 * error ? grid.step - 4 * error : precision.error;
+  const auto margin = [&](double error) {
+    return grid.step > 16 * error ? grid.step - 4 * error : precision.error;
+  };
+  // Where a bound is rounded up, costs before the shift are what is rounded.  Only proofs need that
+  // on an exact grid, which is not to be lost for them.
+  precision.margin =
+      margin(0x1p-50 * static_cast<double>(num_indices) * std::max(largest, grid.largest));
+  if (grid.exact && precision.margin == precision.error) precision.margin = margin(precision.error);
   return precision;
 }
 

@@ -32,7 +32,7 @@ struct Precision {
 
 /// error = 2^-50 * indices * largest |c'|, a bound on what any sum of costs or multipliers of the
 /// component rounds off; where costs lie on a grid that coarse, margin = step - 4 of the same by
-/// the largest |c| of the problem, if that is larger and the grid not exact, else error.
+/// the largest |c| of the problem, if that is larger and leaves a grid, else error.
 Precision precision_of(const core::Component& component, const core::CostGrid& grid);
 /// The same of any costs.
 Precision precision_of(std::size_t num_indices, double largest, const core::CostGrid& grid);

@@ -107,6 +107,24 @@ TEST(Proof, ShowsWhatCliquesProve) {
   }
 }
 
+// Three arcs that save 7, each pair in conflict: multipliers alone fall short by half of that.
+TEST(Proof, HoldsWhereSingletonsCostMuchMoreThanArcsSave) {
+  for (const double alone : {1e3, 1e5, 1e7, 1e9}) {
+    SCOPED_TRACE(alone);
+    const double pair = 2 * alone - 7;
+    const Problem problem = support::make_problem({1, 1, 1},
+                                                  {{{1, 0, 0}, alone},
+                                                   {{0, 1, 0}, alone},
+                                                   {{0, 0, 1}, alone},
+                                                   {{1, 1, 0}, pair},
+                                                   {{1, 0, 1}, pair},
+                                                   {{0, 1, 1}, pair}});
+    const Solution solution = solve(problem, plain());
+    EXPECT_EQ(solution.cost, 3 * alone - 7);
+    EXPECT_NEAR(check_proof(problem, *solution.proof).lower_bound, solution.cost, 1e-12 * alone);
+  }
+}
+
 TEST(Proof, ShowsWhatIsKnownWhenALimitStrikes) {
   int num_stopped = 0;
   Options options = branching();
