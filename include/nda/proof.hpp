@@ -10,8 +10,8 @@
 
 namespace nda {
 
-/// How far branchings may stand one below the other, and how deep a search may go: checking either
-/// takes stack.
+/// How far branchings and divisions may stand one below the other, and how deep a search may go:
+/// checking either takes stack.
 inline constexpr int kMostProofBranchings = 1500;
 inline constexpr int kMostProofSearchDepth = 500;
 
@@ -63,6 +63,12 @@ enum class ProofRule : std::uint8_t {
               ///< point's bound leaves
   kCliques,   ///< the checker searches for something cheaper than the threshold, bounded by arcs
               ///< that exclude each other
+  kCover,     ///< an index is used in one of several ways (a child each, in their order), each of
+              ///< which does with the indices it takes and adds what it costs, or in none of them
+              ///< (one child more); the bound is the least of all
+  kSplit,     ///< groups of indices that no allowed arc connects (a child each, in their order),
+              ///< and the indices in no group (one child more); the bound is the sum of all, each
+              ///< rounded up to the grid
 };
 
 /// A step of a proof; which fields count depends on the rule.
@@ -70,8 +76,11 @@ struct ProofStep {
   ProofRule rule = ProofRule::kBound;
   ProofPoint point;         ///< of kBound, kFix, kSearch, kCliques
   double threshold = 0;     ///< of kFix, kSearch, kCliques: a cost
-  std::uint32_t first = 0;  ///< of kTogether, kApart: positions
+  std::uint32_t first = 0;  ///< of kTogether, kApart: positions; of kCover: the index's
   std::uint32_t second = 0;
+  std::vector<std::uint32_t> uses =
+      {};  ///< of kCover: arcs of the problem, from 1; 0 = it stays alone
+  std::vector<std::vector<std::uint32_t>> groups = {};  ///< of kSplit: positions
 };
 
 /// Indices that no arc worth using connects with others, and a tree that bounds what they cost.

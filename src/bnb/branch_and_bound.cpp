@@ -51,7 +51,7 @@ struct Use {
 class BranchAndBound {
  public:
   BranchAndBound(const Collaborators& collaborators, const BranchLimits& limits)
-      : collaborators_(collaborators), limits_(limits) {}
+      : collaborators_(collaborators), limits_(limits), log_(limits.proof) {}
 
   SearchResult run(const Component& component, std::span<const double> warm, double cutoff) {
     const bool coarse = limits_.gap > limits_.margin;
@@ -69,29 +69,40 @@ class BranchAndBound {
                      std::span<const double> warm,
                      double cutoff,
                      const Slack& slack) {
-    if (component.num_arcs() == 0) return empty_component(cutoff);
-    SearchResult result;
-    if (stopped()) {
-      result.lower = sum(warm);
-      return result;
-    }
+    ++depth_;
+    SearchResult result = explore(component, warm, cutoff, slack);
+    --depth_;
+    return result;
+  }
+
+  SearchResult explore(const Component& component,
+                       std::span<const double> warm,
+                       double cutoff,
+                       const Slack& slack) {
+    if (component.num_arcs() == 0) return empty_component(component, cutoff);
+    if (stopped() || depth_ > kMostProofBranchings) return leave_open(component, warm);
     if (component.num_arcs() <= limits_.enumeration_arcs) {
       SearchResult small = enumerate_part(component, warm, cutoff, slack);
       if (small.complete || stopped()) return small;
     }
+    SearchResult result;
     ++nodes_;
     const NodeBound bound = collaborators_.bound(component, warm, cutoff);
     if (bound.packing.cost < cutoff)
       accept(result, to_original(component, bound.packing), cutoff, slack);
-    if (bound.lower >= cutoff) return finish(result, cutoff, kInfinity, slack);
-    if (limits_.deadline.reached()) return finish(result, cutoff, bound.lower, slack);
+    const bool reached = bound.lower >= cutoff;
+    if (reached || limits_.deadline.reached()) {
+      log_.bound(component, bound.u);
+      return finish(result, cutoff, reached ? kInfinity : bound.lower, slack);
+    }
     const Reduction reduction = collaborators_.reduce(component, bound, cutoff);
     count(component.num_arcs(), reduction);
     const bool whole = reduction.taken.arcs.empty() && reduction.parts.size() == 1 &&
                        static_cast<double>(reduction.parts[0].num_arcs()) >
                            kWholeShare * static_cast<double>(component.num_arcs());
+    log_.fix(component, bound.u, cutoff, reduction.forced);
     SearchResult rest = whole ? branch(reduction.parts[0], reduction.u[0], cutoff, slack)
-                              : solve_parts(reduction, cutoff, slack);
+                              : solve_parts(component, bound, reduction, cutoff, slack);
     if (rest.found) accept(result, std::move(rest.best), cutoff, slack);
     return finish(result, cutoff, rest.complete ? kInfinity : rest.lower, slack);
   }
@@ -109,7 +120,15 @@ class BranchAndBound {
 
   bool stopped() const { return nodes_ >= limits_.max_nodes || limits_.deadline.reached(); }
 
-  static SearchResult empty_component(double cutoff) {
+  SearchResult leave_open(const Component& component, std::span<const double> u) {
+    log_.bound(component, u);
+    SearchResult result;
+    result.lower = sum(u);
+    return result;
+  }
+
+  SearchResult empty_component(const Component& component, double cutoff) {
+    log_.bound(component, {});
     SearchResult result;
     result.complete = true;
     result.found = 0 < cutoff;
@@ -128,6 +147,12 @@ class BranchAndBound {
     if (result.found) {
       result.best = to_original(component, result.best);
       if (result.complete) result.lower = result.best.cost - slack.missed;
+    }
+    const double threshold = result.found ? result.best.cost - slack.skipped : cutoff;
+    if (result.complete) {
+      log_.search(component, u, threshold);
+    } else if (stopped()) {
+      log_.bound(component, u);
     }
     return result;
   }
@@ -148,7 +173,11 @@ class BranchAndBound {
 
   // Parts are independent: each is searched below what the bounds of the others leave of the
   // cutoff.  What the parts miss adds up, so they are searched exactly.
-  SearchResult solve_parts(const Reduction& reduction, double cutoff, const Slack& slack) {
+  SearchResult solve_parts(const Component& component,
+                           const NodeBound& bound,
+                           const Reduction& reduction,
+                           double cutoff,
+                           const Slack& slack) {
     const std::size_t num_parts = reduction.parts.size();
     std::vector<double> lower;
     for (const std::vector<double>& u : reduction.u) lower.push_back(sum(u));
@@ -163,11 +192,16 @@ class BranchAndBound {
     Packing packing = reduction.taken;
     bool all_found = true;
     bool all_complete = true;
+    bool too_dear = false;
+    std::vector<const Component*> in_order;
+    for (const std::size_t p : order) in_order.push_back(&reduction.parts[p]);
+    log_.split(in_order);
     for (const std::size_t p : order) {
-      if (total >= cutoff) return finish(result, cutoff, kInfinity, slack);
+      too_dear = too_dear || total >= cutoff;
       const double budget = cutoff - (total - lower[p]);
-      const SearchResult part = solve(reduction.parts[p], reduction.u[p], budget, exact());
-      if (part.complete && !part.found) return finish(result, cutoff, kInfinity, slack);
+      const SearchResult part = solve_part(reduction.parts[p], reduction.u[p], budget, too_dear);
+      too_dear = too_dear || (part.complete && !part.found);
+      if (too_dear) continue;
       const double proven = std::max(lower[p], std::min(part.lower, budget));
       total += proven - lower[p];
       lower[p] = proven;
@@ -175,8 +209,20 @@ class BranchAndBound {
       all_found = all_found && part.found;
       if (part.found) append(packing, part.best);
     }
+    log_.rest(component, bound.u, reduction.forced, in_order);
+    if (too_dear) return finish(result, cutoff, kInfinity, slack);
     if (all_found && packing.cost < cutoff) accept(result, std::move(packing), cutoff, slack);
     return finish(result, cutoff, all_complete ? kInfinity : total, slack);
+  }
+
+  SearchResult solve_part(const Component& part,
+                          std::span<const double> u,
+                          double budget,
+                          bool too_dear) {
+    log_.group(part);
+    SearchResult result = too_dear ? leave_open(part, u) : solve(part, u, budget, exact());
+    log_.leave();
+    return result;
   }
 
   SearchResult branch(const Component& component,
@@ -189,16 +235,22 @@ class BranchAndBound {
     const std::uint32_t slot = choose_slot(component, u, cutoff - lower);
     // Without a paying index the packing that takes nothing costs sum u = 0 and is the best.
     if (slot == kNone) {
+      log_.bound(component, u);
       if (0 < cutoff) accept(result, Packing{}, cutoff, slack);
       return finish(result, cutoff, kInfinity, slack);
     }
+    const std::size_t step = log_.cover(component, slot);
+    double least_left = kInfinity;  // penalty of the uses that are not explored
     for (const Use& use : uses_of(component, u, slot)) {
-      if (lower + use.penalty >= cutoff) break;
-      if (stopped()) {
-        open = std::min(open, lower + use.penalty);
+      const bool too_dear = lower + use.penalty >= cutoff;
+      if (too_dear || stopped()) {
+        least_left = use.penalty;
+        if (!too_dear) open = std::min(open, lower + use.penalty);
         break;
       }
+      log_use(step, component, slot, use.arc);
       const SearchResult child = solve_child(component, u, slot, use.arc, cutoff, slack);
+      log_.leave();
       const double cost = use.arc == kNone ? 0.0 : component.costs[use.arc];
       if (!child.complete) open = std::min(open, std::max(lower + use.penalty, cost + child.lower));
       if (!child.found) continue;
@@ -207,7 +259,18 @@ class BranchAndBound {
       if (use.arc != kNone) packing.arcs.push_back(core::original_arc(component, use.arc));
       if (packing.cost < cutoff) accept(result, std::move(packing), cutoff, slack);
     }
+    // Where all uses are explored nothing is left, which costs as much as one likes.
+    if (least_left == kInfinity) least_left = std::max(0.0, cutoff - lower);
+    log_.others(component, u, slot, least_left);
     return finish(result, cutoff, open, slack);
+  }
+
+  void log_use(std::size_t step, const Component& component, std::uint32_t slot, ArcId arc) {
+    if (arc == kNone) {
+      log_.use_none(step, component, slot);
+    } else {
+      log_.use(step, component, arc);
+    }
   }
 
   // What is left of the component once `slot` is covered by `arc`, or left uncovered (kNone).
@@ -267,10 +330,12 @@ class BranchAndBound {
 
   const Collaborators& collaborators_;
   const BranchLimits& limits_;
+  TreeLog log_;
   core::Cutter cutter_;
   std::int64_t nodes_ = 0;
   FixingYield searches_;  // of enumerations
   FixingYield branching_;
+  int depth_ = 0;  // of the node at hand
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bnb/enumerate.hpp"
+#include "bnb/tree_log.hpp"
 #include "core/clock.hpp"
 #include "core/component.hpp"
 
@@ -21,6 +22,7 @@ struct NodeBound {
 /// A component after fixing: arcs taken for good, and the connected parts that are left.
 struct Reduction {
   core::Packing taken;                 ///< original arcs
+  std::vector<ForcedArc> forced;       ///< the same, and why
   std::vector<core::Component> parts;  ///< cut out of it: arc_origin counts as everywhere
   std::vector<std::vector<double>> u;  ///< of each part, by slot
 };
@@ -32,7 +34,8 @@ struct Collaborators {
   std::function<NodeBound(const core::Component&, std::span<const double> warm, double cutoff)>
       bound;
 
-  /// Fixes by reduced cost and splits, looking for packings cheaper than `cutoff`.
+  /// Fixes by reduced cost and splits, looking for packings cheaper than `cutoff`.  Where a proof
+  /// is written down, all that it drops must follow from the multipliers of the bound.
   std::function<Reduction(const core::Component&, const NodeBound&, double cutoff)> reduce;
 };
 
@@ -45,6 +48,7 @@ struct BranchLimits {
   double error = 0;  ///< rounding: two costs that differ by less are equal (docs/numerics.md)
   double gap = 0;    ///< the best may miss the optimum by this; the bound then says so
   core::Deadline deadline;
+  ProofLog* proof = nullptr;  ///< where to write down the tree; may be null
 };
 
 /// Depth-first branch and bound over a component, best child first.
@@ -55,6 +59,8 @@ struct BranchLimits {
 ///
 /// The result's lower bound holds whenever the search stops.  Its arcs are original ones
 /// (original_arc()).
+///
+/// Nodes more than kMostProofBranchings deep are left open.
 ///
 /// On a grid of costs (core/shift.hpp) margin is nearly its step: nothing lies between the best
 /// cost and the next cheaper grid point, so a complete search proves best.cost - error, not

@@ -228,12 +228,7 @@ void say_no_proof(const std::string& file) {
 
 // Something proved more than the multipliers, and does not write down how (docs/proofs.md).
 bool proves_in_silence(const Solution& solution, const Options& options) {
-  const auto branched = [](const ComponentReport& report) {
-    return report.proven && report.method == "branch and bound";
-  };
-  return solution.stats.bound_by_branching &&
-         (options.relaxation.kept_sets > 2 ||
-          std::any_of(solution.components.begin(), solution.components.end(), branched));
+  return solution.stats.bound_by_branching && options.relaxation.kept_sets > 2;
 }
 
 void save_proof(const Solution& solution, const Options& options, const std::string& file) {
@@ -241,8 +236,8 @@ void save_proof(const Solution& solution, const Options& options, const std::str
   write_proof(*solution.proof, file);
   if (proves_in_silence(solution, options)) {
     std::cerr << "nda: " << file
-              << ": may show less than the lower bound: branching on indices and relaxations of "
-                 "three sets are not written down\n";
+              << ": may show less than the lower bound: relaxations of three sets are not written "
+                 "down\n";
   }
 }
 

@@ -146,6 +146,7 @@ class ProofWalk {
 
   void add(std::size_t a, PartArcs& arcs) {
     arcs.cost.push_back(problem_.costs()[a]);
+    arcs.number.push_back(static_cast<std::uint32_t>(a + 1));
     for (int k = 0; k < problem_.num_dimensions(); ++k) {
       const Index i = problem_.indices(k)[a];
       if (i != 0) arcs.positions.push_back(position_[at(k)][i]);
@@ -158,37 +159,10 @@ class ProofWalk {
     for (const auto [k, i] : proof_.parts[p].indices)
       singletons.push_back(problem_.singleton_costs(k)[i]);
     try {
-      const double bound = core::part_bound(arcs_[p], singletons, proof_.parts[p].steps);
-      return proof_.grid > 0 ? rounded_up(bound, arcs_[p], singletons) : bound;
+      return core::part_bound(arcs_[p], singletons, proof_.grid, proof_.parts[p].steps);
     } catch (const ProofFault& fault) {
       throw ProofFault{part_name(p) + fault.text};
     }
-  }
-
-  // A cost of the part is a multiple of the grid, but for the rounding of its terms, of which there
-  // are at most as many as indices.
-  double rounded_up(double bound,
-                    const PartArcs& arcs,
-                    const std::vector<double>& singletons) const {
-    double largest = 0;
-    bool exact = true;
-    const auto note = [&](double cost) {
-      largest = std::max(largest, std::abs(cost));
-      exact = exact && std::fma(-std::nearbyint(cost / proof_.grid), proof_.grid, cost) == 0;
-    };
-    for (const double cost : arcs.cost) note(cost);
-    for (const double cost : singletons) {
-      if (cost < kInfinity) note(cost);
-    }
-    const double error = exact ? 0 : 0x1p-50 * static_cast<double>(singletons.size()) * largest;
-    const double steps = (bound - error) / proof_.grid;
-    if (!(std::abs(steps) < kMostGridSteps)) return bound;
-    const double whole = std::ceil(steps - 0x1p-50 * std::abs(steps));
-    const double product = whole * proof_.grid;
-    const double up = exact && std::fma(whole, proof_.grid, -product) == 0
-                          ? product
-                          : std::nextafter(product, -kInfinity) - 2 * error;
-    return std::max(bound, up);
   }
 
   const Problem& problem_;

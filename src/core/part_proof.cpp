@@ -3,16 +3,21 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <span>
+#include <string>
 
 #include "core/certificate_sum.hpp"
 #include "core/double_double.hpp"
+#include "core/nested_set.hpp"
 #include "core/proof_cliques.hpp"
+#include "core/proof_grid.hpp"
 #include "core/proof_search.hpp"
 
-// A proof is followed step by step: which arcs and which singletons are still allowed is the state,
-// every step returns a bound on what the allowed ones can do.  Nothing in the file is believed but
-// multipliers, cuts and thresholds, and these may be any numbers: worse ones prove less.  Rounding
-// is always against the proof.
+// A proof is followed step by step: which indices are left, which arcs and which singletons are
+// still allowed is the state, every step returns a bound on what the allowed ones can do with the
+// indices left.  Allowed arcs use none but these.  Nothing in the file is believed but multipliers,
+// cuts and thresholds, and these may be any numbers: worse ones prove less.  Rounding is always
+// against the proof.
 
 namespace nda::core {
 namespace {
@@ -26,22 +31,30 @@ constexpr double kShare = 0x1p-90;
 class PartProof {
  public:
   PartProof(const PartArcs& arcs,
-            std::vector<double> singletons,
+            const std::vector<double>& singletons,
+            double grid,
             const std::vector<ProofStep>& steps)
       : arcs_(arcs),
-        singletons_(std::move(singletons)),
+        singletons_(singletons),
+        grid_(grid, arcs, singletons),
         steps_(steps),
-        arcs_at_(singletons_.size()),
-        excluded_(arcs.size(), 0),
-        singleton_excluded_(singletons_.size(), 0),
-        weight_(singletons_.size(), 0),
-        multipliers_(singletons_.size(), 0.0) {
+        arcs_at_(singletons.size()),
+        allowed_(arcs.size()),
+        left_(singletons.size()),
+        singleton_excluded_(singletons.size(), 0),
+        group_(singletons.size(), kNowhere),
+        row_(singletons.size(), 0),
+        number_(arcs.size(), kNowhere),
+        weight_(singletons.size(), 0),
+        multipliers_(singletons.size(), 0.0),
+        reduced_(arcs.size()),
+        size_(arcs.size(), 0.0) {
     for (std::uint32_t a = 0; a < arcs.size(); ++a)
       arcs.for_each_position(a, [&](std::uint32_t p) { arcs_at_[p].push_back(a); });
   }
 
   double bound() {
-    const double value = follow();
+    const double value = grid_.rounded_up(follow(), singletons_.size());
     if (next_ < steps_.size()) fault("steps are left over");
     return value;
   }
@@ -54,17 +67,17 @@ class PartProof {
   // Chains of fixings are walked in a loop; only branchings nest, and what they do not pass through
   // is kept out of their frames.
   double follow() {
-    std::vector<std::uint32_t> fixed;
+    const NestedSet::Range before = allowed_.range();
     double least = kInfinity;
     for (;;) {
       if (next_ == steps_.size()) fault("the tree has no end");
       const ProofStep& step = steps_[next_++];
       if (step.rule == ProofRule::kFix) {
-        if (fix(step, fixed)) least = std::min(least, step.threshold);
+        if (fix(step)) least = std::min(least, step.threshold);
         continue;
       }
       least = std::min(least, value_of(step));
-      for (const std::uint32_t a : fixed) --excluded_[a];
+      allowed_.set_range(before);
       return least;
     }
   }
@@ -73,10 +86,14 @@ class PartProof {
     if (step.rule == ProofRule::kBound) return price(step.point);
     if (step.rule == ProofRule::kSearch) return search(step);
     if (step.rule == ProofRule::kCliques) return cliques(step);
-    return branch(step);
+    if (++depth_ > kMostProofBranchings) fault("the tree is too deep");
+    const double value = step.rule == ProofRule::kCover   ? cover(step)
+                         : step.rule == ProofRule::kSplit ? split(step)
+                                                          : branch(step);
+    --depth_;
+    return value;
   }
 
-  bool allowed(std::uint32_t a) const { return excluded_[a] == 0; }
   bool may_stay_alone(std::uint32_t position) const {
     return singleton_excluded_[position] == 0 && singletons_[position] < kInfinity;
   }
@@ -110,31 +127,27 @@ class PartProof {
     double terms = 6;
     start_reduced();
     for (const ProofCut& cut : point.cuts) terms += subtract(cut, sum);
-    for (std::size_t p = 0; p < singletons_.size(); ++p) {
+    for (const std::uint32_t p : left_.members()) {
       const double y = multipliers_[p];
       sum.add(p, y);
-      if (may_stay_alone(static_cast<std::uint32_t>(p)) && singletons_[p] < y) {
+      if (may_stay_alone(p) && singletons_[p] < y) {
         sum.add(p, singletons_[p]);
         sum.add(p, -y);
       }
     }
-    for (std::uint32_t a = 0; a < arcs_.size(); ++a) {
-      if (!allowed(a)) continue;
+    for (const std::uint32_t a : allowed_.members()) {
       sum.enlarge(size_[a]);
       terms += static_cast<double>(arcs_.start[a + 1] - arcs_.start[a]) + 3;
       if (!any_arcs || !reduced_[a].negative()) continue;
       sum.add(a, reduced_[a].high());
       sum.add(a, reduced_[a].low());
     }
-    return sum.rounded_down(terms + 3 * static_cast<double>(singletons_.size()));
+    return sum.rounded_down(terms + 3 * static_cast<double>(left_.members().size()));
   }
 
   void start_reduced() {
-    reduced_.assign(arcs_.size(), {});
-    size_.assign(arcs_.size(), 0.0);
-    for (std::uint32_t a = 0; a < arcs_.size(); ++a) {
-      if (!allowed(a)) continue;
-      reduced_[a].add(arcs_.cost[a]);
+    for (const std::uint32_t a : allowed_.members()) {
+      reduced_[a] = DoubleDouble(arcs_.cost[a]);
       size_[a] = std::abs(arcs_.cost[a]);
       arcs_.for_each_position(a, [&](std::uint32_t p) {
         reduced_[a].add(-multipliers_[p]);
@@ -167,7 +180,8 @@ class PartProof {
       weight_[cut.positions[i]] = cut.weights[i];
     for (const std::uint32_t position : cut.positions) {
       for (const std::uint32_t a : arcs_at_[position]) {
-        const int coefficient = allowed(a) ? coefficient_at(a, position) / cut.divisor : 0;
+        const int coefficient =
+            allowed_.contains(a) ? coefficient_at(a, position) / cut.divisor : 0;
         if (coefficient > 0) visit(a, coefficient);
       }
     }
@@ -195,50 +209,159 @@ class PartProof {
   }
 
   // Forbids arcs; returns whether there were any.
-  [[gnu::noinline]] bool fix(const ProofStep& step, std::vector<std::uint32_t>& fixed) {
+  [[gnu::noinline]] bool fix(const ProofStep& step) {
     const double value = price(step.point);
-    const std::size_t before = fixed.size();
-    for (std::uint32_t a = 0; a < arcs_.size(); ++a) {
-      if (!allowed(a) || reduced_[a].negative()) continue;
-      if (with_arc(value, a) >= step.threshold) fixed.push_back(a);
-    }
-    for (std::size_t i = before; i < fixed.size(); ++i) ++excluded_[fixed[i]];
-    return fixed.size() > before;
+    const std::size_t before = allowed_.members().size();
+    allowed_.keep_if([&](std::uint32_t a) {
+      return reduced_[a].negative() || !(with_arc(value, a) >= step.threshold);
+    });
+    return allowed_.members().size() < before;
   }
 
   double branch(const ProofStep& step) {
     if (step.first >= singletons_.size() || step.second >= singletons_.size() ||
         step.first == step.second)
       fault("branching on indices that are no pair");
-    if (++depth_ > kMostProofBranchings) fault("the tree is too deep");
     double least = kInfinity;
+    const NestedSet::Range before = allowed_.range();
     const bool together_first = step.rule == ProofRule::kTogether;
     for (const bool together : {together_first, !together_first}) {
-      const std::vector<std::uint32_t> out = excluded_by(step.first, step.second, together);
-      for (const std::uint32_t a : out) ++excluded_[a];
+      keep_pair(step.first, step.second, together);
       singleton_excluded_[step.first] += together;
       singleton_excluded_[step.second] += together;
       least = std::min(least, follow());
       singleton_excluded_[step.first] -= together;
       singleton_excluded_[step.second] -= together;
-      for (const std::uint32_t a : out) --excluded_[a];
+      allowed_.set_range(before);
     }
-    --depth_;
     return least;
   }
 
-  // Arcs that use exactly one of the two indices, or those that use both.
-  std::vector<std::uint32_t> excluded_by(std::uint32_t first,
-                                         std::uint32_t second,
-                                         bool together) const {
-    std::vector<std::uint32_t> out;
-    for (const std::uint32_t a : arcs_at_[first]) {
-      if (arcs_.uses(a, second) != together) out.push_back(a);
+  // Forbids arcs that use exactly one of the two indices, or those that use both.
+  [[gnu::noinline]] void keep_pair(std::uint32_t first, std::uint32_t second, bool together) {
+    allowed_.keep_if([&](std::uint32_t a) {
+      const int uses = (arcs_.uses(a, first) ? 1 : 0) + (arcs_.uses(a, second) ? 1 : 0);
+      return uses == 0 || together == (uses == 2);
+    });
+  }
+
+  // The index is used in exactly one way: one of those listed, or another.
+  double cover(const ProofStep& step) {
+    if (step.first >= singletons_.size() || !left_.contains(step.first))
+      fault("branching on an index that is not left");
+    double least = kInfinity;
+    const NestedSet::Range before = allowed_.range();
+    const auto is_forbidden = singleton_excluded_[step.first];
+    for (const std::uint32_t number : step.uses) {
+      least = std::min(least, number == 0 ? alone(step.first) : with(arc_at(number, step.first)));
+      forbid(number, step.first);
     }
-    for (const std::uint32_t a : arcs_at_[second]) {
-      if (together && !arcs_.uses(a, first)) out.push_back(a);
+    least = std::min(least, follow());
+    allowed_.set_range(before);
+    singleton_excluded_[step.first] = is_forbidden;
+    return least;
+  }
+
+  // The arc of this number in the problem.
+  std::uint32_t arc_at(std::uint32_t number, std::uint32_t position) const {
+    const auto found = std::lower_bound(arcs_.number.begin(), arcs_.number.end(), number);
+    const auto a = static_cast<std::uint32_t>(found - arcs_.number.begin());
+    if (found == arcs_.number.end() || *found != number || !arcs_.uses(a, position))
+      fault("arc " + std::to_string(number) + " does not use the index");
+    return a;
+  }
+
+  [[gnu::noinline]] void forbid(std::uint32_t number, std::uint32_t position) {
+    if (number == 0) {
+      ++singleton_excluded_[position];
+    } else {
+      allowed_.keep_if([&](std::uint32_t a) { return arcs_.number[a] != number; });
     }
-    return out;
+  }
+
+  // What remains when the index stays alone; nothing does where it must not.
+  double alone(std::uint32_t position) {
+    const double cost = may_stay_alone(position) ? singletons_[position] : kInfinity;
+    return done_with({&position, 1}, cost);
+  }
+
+  // What remains when the arc is used; nothing does where it is forbidden.
+  double with(std::uint32_t a) {
+    const std::span<const std::uint32_t> positions(arcs_.positions);
+    return done_with(positions.subspan(arcs_.start[a], arcs_.start[a + 1] - arcs_.start[a]),
+                     allowed_.contains(a) ? arcs_.cost[a] : kInfinity);
+  }
+
+  // A bound on `cost` and what is left without these indices.
+  double done_with(std::span<const std::uint32_t> positions, double cost) {
+    const NestedSet::Range arcs = allowed_.range();
+    const NestedSet::Range indices = left_.range();
+    leave_out(positions);
+    const double rest = follow();
+    allowed_.set_range(arcs);
+    left_.set_range(indices);
+    return cost < kInfinity ? below(cost + rest) : kInfinity;
+  }
+
+  [[gnu::noinline]] void leave_out(std::span<const std::uint32_t> positions) {
+    for (const std::uint32_t p : positions) weight_[p] = 1;
+    left_.keep_if([&](std::uint32_t p) { return weight_[p] == 0; });
+    allowed_.keep_if([&](std::uint32_t a) {
+      bool meets = false;
+      arcs_.for_each_position(a, [&](std::uint32_t p) { meets = meets || weight_[p] != 0; });
+      return !meets;
+    });
+    for (const std::uint32_t p : positions) weight_[p] = 0;
+  }
+
+  // What the groups cost adds up, as no arc connects them.
+  double split(const ProofStep& step) {
+    const NestedSet::Range arcs = allowed_.range();
+    const NestedSet::Range indices = left_.range();
+    double sum = 0;
+    for (const auto& [arcs_of_group, indices_of_group] : divide(step)) {
+      allowed_.set_range(arcs_of_group);
+      left_.set_range(indices_of_group);
+      sum = below(sum + grid_.rounded_up(follow(), left_.members().size()));
+    }
+    allowed_.set_range(arcs);
+    left_.set_range(indices);
+    return sum;
+  }
+
+  struct Group {
+    NestedSet::Range arcs;
+    NestedSet::Range indices;
+  };
+
+  // The groups, and then what is in none.
+  [[gnu::noinline]] std::vector<Group> divide(const ProofStep& step) {
+    const auto rest = static_cast<std::uint32_t>(step.groups.size());
+    for (const std::uint32_t p : left_.members()) group_[p] = rest;
+    for (std::uint32_t g = 0; g < rest; ++g) enter_group(step.groups[g], g, rest);
+    const auto group_of = [&](std::uint32_t a) { return group_[arcs_.positions[arcs_.start[a]]]; };
+    for (const std::uint32_t a : allowed_.members()) {
+      arcs_.for_each_position(a, [&](std::uint32_t p) {
+        if (group_[p] != group_of(a))
+          fault("arc " + std::to_string(arcs_.number[a]) + " connects two groups");
+      });
+    }
+    const auto arcs = allowed_.divide(rest + std::size_t{1}, group_of);
+    const auto indices =
+        left_.divide(rest + std::size_t{1}, [&](std::uint32_t p) { return group_[p]; });
+    std::vector<Group> groups;
+    for (std::size_t g = 0; g <= rest; ++g) groups.push_back({arcs[g], indices[g]});
+    return groups;
+  }
+
+  void enter_group(const std::vector<std::uint32_t>& positions,
+                   std::uint32_t group,
+                   std::uint32_t rest) {
+    for (const std::uint32_t p : positions) {
+      if (p >= singletons_.size() || !left_.contains(p) || group_[p] != rest)
+        fault("a group has an index that is not left, or in another group");
+      group_[p] = group;
+    }
   }
 
   // The least bound of what a search finds below the threshold, or the threshold.
@@ -257,32 +380,40 @@ class PartProof {
     }
   }
 
+  // Its rows are the indices left, then the cuts.
   SearchTask search_task(const ProofPoint& point, double budget) {
     SearchTask task;
-    task.num_indices = static_cast<std::uint32_t>(singletons_.size());
-    for (std::uint32_t p = 0; p < singletons_.size(); ++p) {
+    for (const std::uint32_t p : left_.members()) {
+      row_[p] = task.num_indices++;
       const double rise = singletons_[p] - multipliers_[p];
       task.rows.push_back({may_stay_alone(p) ? std::max(0.0, below(rise)) : kInfinity, 1});
     }
-    std::vector<std::uint32_t> number(arcs_.size(), kNowhere);
-    for (std::uint32_t a = 0; a < arcs_.size(); ++a) {
-      const double rise = allowed(a) ? std::max(0.0, with_arc(0.0, a)) : kInfinity;
-      if (rise >= budget) continue;
-      number[a] = static_cast<std::uint32_t>(task.rise.size());
+    for (const std::uint32_t a : sorted_arcs()) {
+      const double rise = std::max(0.0, with_arc(0.0, a));
+      number_[a] = rise < budget ? static_cast<std::uint32_t>(task.rise.size()) : kNowhere;
+      if (number_[a] == kNowhere) continue;
       task.rise.push_back(rise);
       task.entries.emplace_back();
-      arcs_.for_each_position(a, [&](std::uint32_t p) { task.entries.back().push_back({p, 1}); });
+      arcs_.for_each_position(a, [&](std::uint32_t p) {
+        task.entries.back().push_back({row_[p], 1});
+      });
     }
-    for (const ProofCut& cut : point.cuts) add_row(cut, number, task);
+    for (const ProofCut& cut : point.cuts) add_row(cut, task);
     return task;
   }
 
-  void add_row(const ProofCut& cut, const std::vector<std::uint32_t>& number, SearchTask& task) {
+  std::vector<std::uint32_t> sorted_arcs() const {
+    std::vector<std::uint32_t> sorted(allowed_.members().begin(), allowed_.members().end());
+    std::sort(sorted.begin(), sorted.end());
+    return sorted;
+  }
+
+  void add_row(const ProofCut& cut, SearchTask& task) {
     const auto row = static_cast<std::uint32_t>(task.rows.size());
     task.rows.push_back({-cut.multiplier, static_cast<std::uint32_t>(right_side(cut))});
     for_each_coefficient(cut, [&](std::uint32_t a, int coefficient) {
-      if (number[a] != kNowhere)
-        task.entries[number[a]].push_back({row, static_cast<std::uint32_t>(coefficient)});
+      if (number_[a] != kNowhere)
+        task.entries[number_[a]].push_back({row, static_cast<std::uint32_t>(coefficient)});
     });
   }
 
@@ -291,8 +422,8 @@ class PartProof {
     if (!std::isfinite(step.threshold)) fault("a search without a finite threshold");
     const double value = price(step.point, false);
     CliqueTask task;
-    for (std::uint32_t a = 0; a < arcs_.size(); ++a) {
-      const double gain = allowed(a) ? -with_arc(0.0, a) : 0.0;
+    for (const std::uint32_t a : sorted_arcs()) {
+      const double gain = -with_arc(0.0, a);
       if (gain <= 0) continue;
       task.gain.push_back(gain);
       task.indices.emplace_back();
@@ -310,13 +441,18 @@ class PartProof {
   static double below(double value) { return std::nextafter(value, -kInfinity); }
 
   const PartArcs& arcs_;
-  const std::vector<double> singletons_;  // by position
+  const std::vector<double>& singletons_;  // by position
+  const ProofGrid grid_;
   const std::vector<ProofStep>& steps_;
   std::size_t next_ = 0;
   int depth_ = 0;
   std::vector<std::vector<std::uint32_t>> arcs_at_;  // by position
-  std::vector<std::uint32_t> excluded_;              // by arc: how often
+  NestedSet allowed_;                                // arcs
+  NestedSet left_;                                   // positions
   std::vector<std::uint32_t> singleton_excluded_;    // by position: how often
+  std::vector<std::uint32_t> group_;                 // by position: in the division at hand
+  std::vector<std::uint32_t> row_;                   // by position: in the search at hand
+  std::vector<std::uint32_t> number_;                // by arc: in the search at hand
   std::vector<int> weight_;                          // by position: of the cut at hand, else 0
   std::vector<double> multipliers_;                  // by position
   std::vector<DoubleDouble> reduced_;                // by arc
@@ -329,8 +465,9 @@ class PartProof {
 
 double part_bound(const PartArcs& arcs,
                   const std::vector<double>& singletons,
+                  double grid,
                   const std::vector<ProofStep>& steps) {
-  return PartProof(arcs, singletons, steps).bound();
+  return PartProof(arcs, singletons, grid, steps).bound();
 }
 
 }  // namespace nda::core

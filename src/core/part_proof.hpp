@@ -18,6 +18,7 @@ struct ProofFault {
 /// The arcs of a part with the positions of their indices.
 struct PartArcs {
   std::vector<double> cost;
+  std::vector<std::uint32_t> number;  ///< in the problem, from 1; ascending
   std::vector<std::uint32_t> start = {0};
   std::vector<std::uint32_t> positions;
 
@@ -35,9 +36,11 @@ struct PartArcs {
 /// What the steps of a part show: a lower bound on every choice of its arcs and singletons that
 /// uses each index exactly once.
 /// @param singletons  by position; +inf = forbidden.
+/// @param grid        all costs are multiples of it but for one rounding; 0 = not known.
 /// Throws ProofFault "step 3: ..." where they are no tree.
 double part_bound(const PartArcs& arcs,
                   const std::vector<double>& singletons,
+                  double grid,
                   const std::vector<ProofStep>& steps);
 
 }  // namespace nda::core

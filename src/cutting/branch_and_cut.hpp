@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include "bnb/proof_log.hpp"
 #include "core/clock.hpp"
 #include "core/component.hpp"
 #include "core/for_all.hpp"
@@ -12,7 +13,6 @@
 #include "cutting/leaf_search.hpp"
 #include "cutting/master.hpp"
 #include "cutting/pair_branching.hpp"
-#include "cutting/proof_log.hpp"
 
 namespace nda::cutting {
 
@@ -43,8 +43,9 @@ struct BranchAndCutLimits {
   /// Packings are to be cheaper than the best by so much: what a cutoff stands below it.
   double margin = 0;
   core::Deadline deadline;
-  core::ForAll for_all;       ///< of searches, and of the nodes of a large tree
-  ProofLog* proof = nullptr;  ///< where to write down the tree; whole if the search is exhaustive
+  core::ForAll for_all;  ///< of searches, and of the nodes of a large tree
+  bnb::ProofLog* proof =
+      nullptr;  ///< where to write down the tree; whole if the search is exhaustive
   /// Where more packings count than the best: all below the cutoff are offered, and others.  Null =
   /// that alone; else without a proof.
   const LeafRanks* ranks = nullptr;

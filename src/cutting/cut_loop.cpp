@@ -5,7 +5,6 @@
 #include "core/pause.hpp"
 #include "core/random.hpp"
 #include "cutting/leaf_search.hpp"
-#include "cutting/proof_log.hpp"
 #include "cutting/separation.hpp"
 
 // The order of the patterns and the limits are measured: docs/cuts.md.
@@ -113,7 +112,7 @@ CutLoopEnd run_cut_loop(const core::Component& component,
     const double gain = master.lower() - last_lower;
     last_lower = master.lower();
     if (options.fix && master.fix(cutoff) && options.proof != nullptr)
-      options.proof->fix(master, cutoff);
+      options.proof->fix(master.u(), cutoff, proof_cuts(master));
     if (options.leaf != nullptr && search(*options.leaf, master, cutoff, options.work))
       return CutLoopEnd::kSearched;
     master.drop_idle(kMostIdle);

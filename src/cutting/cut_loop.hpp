@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "bnb/proof_log.hpp"
 #include "core/clock.hpp"
 #include "core/component.hpp"
 #include "core/for_all.hpp"
@@ -12,7 +13,6 @@
 namespace nda::cutting {
 
 class LeafSearch;
-class ProofLog;
 
 /// Called after every round with the current relaxed point; returns the cutoff from now on: only
 /// packings cheaper than it are looked for.
@@ -29,9 +29,9 @@ struct CutLoopOptions {
   /// A round that closes less than this share of the gap calls for harder patterns or ends the
   /// loop.
   double worthwhile = 0.005;
-  bool fix = true;             ///< drop arcs for good; not below a branching
-  ProofLog* proof = nullptr;   ///< where to write down what was dropped
-  LeafSearch* leaf = nullptr;  ///< what may end the node; may be null
+  bool fix = true;                 ///< drop arcs for good; not below a branching
+  bnb::ProofLog* proof = nullptr;  ///< where to write down what was dropped
+  LeafSearch* leaf = nullptr;      ///< what may end the node; may be null
   /// Where to add the work of separation and of `leaf` (bnb::SlackLimits); may be null.
   double* work = nullptr;
   core::Deadline deadline;

@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "bnb/clique_search.hpp"
+#include "bnb/proof_log.hpp"
 #include "bnb/slack_search.hpp"
 #include "core/clock.hpp"
 #include "core/component.hpp"
 #include "core/for_all.hpp"
 #include "core/pause.hpp"
 #include "cutting/master.hpp"
-#include "cutting/proof_log.hpp"
 
 namespace nda::cutting {
 
@@ -50,7 +50,7 @@ struct LeafLimits {
   std::int64_t max_nodes = 0;  ///< of all searches
   core::Deadline deadline;
   core::ForAll for_all;              ///< of the parts of a search
-  ProofLog* proof = nullptr;         ///< where to write searches down
+  bnb::ProofLog* proof = nullptr;    ///< where to write searches down
   const LeafRanks* ranks = nullptr;  ///< null = the best packing alone counts
 };
 

@@ -244,4 +244,13 @@ bool Master::fix(double cutoff) {
   return std::erase_if(live_, dead) > 0;
 }
 
+std::vector<ProofCut> proof_cuts(const Master& master) {
+  std::vector<ProofCut> cuts;
+  for (const CutRow& row : master.cuts()) {
+    if (row.multiplier != 0)
+      cuts.push_back({row.cut.slots, row.cut.weights, row.cut.divisor, row.multiplier});
+  }
+  return cuts;
+}
+
 }  // namespace nda::cutting

@@ -8,6 +8,7 @@
 #include "core/component.hpp"
 #include "cutting/cut.hpp"
 #include "lp/linear_program.hpp"
+#include "nda/proof.hpp"
 
 namespace nda::cutting {
 
@@ -104,5 +105,8 @@ class Master {
   double lower_ = -kInfinity;
   bool dual_feasible_ = false;  // rows were added or bounds changed since the last solve
 };
+
+/// The cuts that count, as bnb::ProofLog takes them.
+std::vector<ProofCut> proof_cuts(const Master& master);
 
 }  // namespace nda::cutting

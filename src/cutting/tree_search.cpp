@@ -138,7 +138,7 @@ class TreeSearch {
   }
 
   // Explores a node with a linear program of its own.
-  Branch search(const Open& open, const Effort& effort, ProofLog* log) const {
+  Branch search(const Open& open, const Effort& effort, bnb::ProofLog* log) const {
     Branch branch;
     branch.base = std::make_shared<Base>(open.base ? *open.base : Base{master_, 0});
     BranchAndCutLimits limits = limits_;
@@ -195,7 +195,7 @@ class TreeSearch {
   }
 
   // The log of a search of a round, they count from 1.
-  ProofLog* log(std::size_t search) {
+  bnb::ProofLog* log(std::size_t search) {
     return limits_.proof == nullptr ? nullptr : &logs_[search - 1];
   }
 
@@ -208,9 +208,9 @@ class TreeSearch {
           children[parent].begin(), children[parent].end(), [&](std::size_t a, std::size_t b) {
             return places_[a - 1].order < places_[b - 1].order;
           });
-      std::vector<ProofLog::Graft> grafts;
+      std::vector<bnb::ProofLog::Graft> grafts;
       for (const std::size_t s : children[parent]) grafts.push_back({places_[s - 1].size, log(s)});
-      ProofLog& log_of_parent = parent == 0 ? *limits_.proof : *log(parent);
+      bnb::ProofLog& log_of_parent = parent == 0 ? *limits_.proof : *log(parent);
       if (!grafts.empty()) log_of_parent.graft(grafts);
     }
   }
@@ -222,8 +222,8 @@ class TreeSearch {
   const PackingOffer& offer_;
   const TreeShape shape_;
   std::vector<Open> open_;
-  std::vector<ProofPlace> places_;  // of the searches of rounds
-  std::vector<ProofLog> logs_;      // theirs, if a proof is wanted
+  std::vector<ProofPlace> places_;   // of the searches of rounds
+  std::vector<bnb::ProofLog> logs_;  // theirs, if a proof is wanted
   BranchAndCutResult result_;
 };
 

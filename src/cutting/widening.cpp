@@ -85,7 +85,7 @@ class Widening {
       if (covered_)
         limits_.proof->cliques({}, cutoff_);
       else
-        limits_.proof->bound(master_);
+        limits_.proof->bound(master_.u(), proof_cuts(master_));
     }
     return result_;
   }
@@ -146,7 +146,7 @@ class Widening {
     for (const CutRow& row : master_.cuts()) circle.add(restrict_cut(row.cut, slots));
     if (limits_.proof != nullptr) {
       limits_.proof->cut_back(proof_size_);
-      limits_.proof->fix(master_, target);
+      limits_.proof->fix(master_.u(), target, proof_cuts(master_));
       limits_.proof->enter(within);
     }
     BranchAndCutLimits limits;

@@ -5,12 +5,12 @@
 #include <span>
 #include <vector>
 
+#include "bnb/proof_log.hpp"
 #include "core/clock.hpp"
 #include "core/component.hpp"
 #include "core/for_all.hpp"
 #include "cutting/leaf_search.hpp"
 #include "cutting/master.hpp"
-#include "cutting/proof_log.hpp"
 #include "cutting/tree_search.hpp"
 
 namespace nda::cutting {
@@ -23,7 +23,7 @@ struct WideningLimits {
   core::Deadline deadline;
   /// Where to write down why the bound holds: all of it if no limit struck, else what the cuts of
   /// the whole component prove, without the circles.
-  ProofLog* proof = nullptr;
+  bnb::ProofLog* proof = nullptr;
 };
 
 /// What may go into better packings.

@@ -1,6 +1,7 @@
 #include "decompose/reduced_cost_fixing.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/reduced_costs.hpp"
 
@@ -53,6 +54,7 @@ Fixing fix(const Component& component, std::span<const double> u, double lower, 
     if (lower + r < cutoff) fixing.live.push_back(a);
   });
   const std::vector<Uses> uses = cheapest_uses(component, u, fixing.live);
+  std::vector<std::pair<ArcId, std::uint32_t>> taken;
   std::vector<bool> covered(component.num_slots(), false);
   for (std::uint32_t slot = 0; slot < component.num_slots(); ++slot) {
     const Uses& use = uses[slot];
@@ -60,7 +62,7 @@ Fixing fix(const Component& component, std::span<const double> u, double lower, 
     bool free = true;
     core::for_each_slot(component, use.arc, [&](std::uint32_t s) { free = free && !covered[s]; });
     if (!free) continue;
-    fixing.taken.push_back(use.arc);
+    taken.emplace_back(use.arc, slot);
     core::for_each_slot(component, use.arc, [&](std::uint32_t s) { covered[s] = true; });
   }
   std::erase_if(fixing.live, [&](ArcId a) {
@@ -68,7 +70,11 @@ Fixing fix(const Component& component, std::span<const double> u, double lower, 
     core::for_each_slot(component, a, [&](std::uint32_t slot) { hit = hit || covered[slot]; });
     return hit;
   });
-  std::sort(fixing.taken.begin(), fixing.taken.end());
+  std::sort(taken.begin(), taken.end());
+  for (const auto& [arc, slot] : taken) {
+    fixing.taken.push_back(arc);
+    fixing.forcing.push_back(slot);
+  }
   return fixing;
 }
 

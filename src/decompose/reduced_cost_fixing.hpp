@@ -9,8 +9,9 @@ namespace nda::decompose {
 
 /// What reduced-cost fixing leaves of a component.
 struct Fixing {
-  std::vector<core::ArcId> live;   ///< arcs that a better solution may still use, ascending
-  std::vector<core::ArcId> taken;  ///< arcs that every better solution uses (not in live)
+  std::vector<core::ArcId> live;       ///< arcs that a better solution may still use, ascending
+  std::vector<core::ArcId> taken;      ///< arcs that every better solution uses (not in live)
+  std::vector<std::uint32_t> forcing;  ///< [taken]: its slot i below
 };
 
 /// Fixes arcs by reduced cost.  u: multipliers by slot, u <= 0, with r[a] = c'[a] - sum of u >= 0

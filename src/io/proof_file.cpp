@@ -14,11 +14,12 @@
 //     part INDICES STEPS  then for each index: dimension index
 //     bound POINT | fix THRESHOLD POINT | search THRESHOLD POINT
 //     cliques THRESHOLD POINT | together P P | apart P P
+//     cover P USES arc... | split GROUPS (SIZE position...)...
 //     POINT = CHANGES (position value)...  CUTS (multiplier divisor SIZE (position weight)...)...
 //     end DIGEST
 //
-// Positions and dimensions count from 1.  The digest is of what the numbers mean, not of the text:
-// a file that was damaged or changed anywhere is refused, however it was laid out.
+// Positions, dimensions and arcs count from 1.  The digest is of what the numbers mean, not of the
+// text: a file that was damaged or changed anywhere is refused, however it was laid out.
 
 namespace nda::io {
 namespace {
@@ -28,15 +29,21 @@ constexpr std::pair<ProofRule, std::string_view> kRules[] = {{ProofRule::kBound,
                                                              {ProofRule::kSearch, "search"},
                                                              {ProofRule::kCliques, "cliques"},
                                                              {ProofRule::kTogether, "together"},
-                                                             {ProofRule::kApart, "apart"}};
+                                                             {ProofRule::kApart, "apart"},
+                                                             {ProofRule::kCover, "cover"},
+                                                             {ProofRule::kSplit, "split"}};
 constexpr int kNumbersPerLine = 40;
 
 bool has_threshold(ProofRule rule) {
   return rule == ProofRule::kFix || rule == ProofRule::kSearch || rule == ProofRule::kCliques;
 }
 
-bool is_branching(ProofRule rule) {
+bool is_of_a_pair(ProofRule rule) {
   return rule == ProofRule::kTogether || rule == ProofRule::kApart;
+}
+
+bool is_branching(ProofRule rule) {
+  return is_of_a_pair(rule) || rule == ProofRule::kCover || rule == ProofRule::kSplit;
 }
 
 // FNV-1a (Fowler, Noll & Vo) of a proof; of its 64 bits the upper 60, which every reader of whole
@@ -79,11 +86,7 @@ class Digest {
 
   void add(const ProofStep& step) {
     add(static_cast<std::uint64_t>(step.rule));
-    if (is_branching(step.rule)) {
-      add(std::uint64_t{step.first});
-      add(std::uint64_t{step.second});
-      return;
-    }
+    if (is_branching(step.rule)) return add_branching(step);
     if (has_threshold(step.rule)) add(step.threshold);
     add(std::uint64_t{step.point.changes.size()});
     for (const ProofMultiplier& change : step.point.changes) {
@@ -96,6 +99,20 @@ class Digest {
       add(std::uint64_t{cut.divisor});
       add_all(cut.positions);
       add_all(cut.weights);
+    }
+  }
+
+  void add_branching(const ProofStep& step) {
+    if (step.rule == ProofRule::kSplit) {
+      add(std::uint64_t{step.groups.size()});
+      for (const std::vector<std::uint32_t>& group : step.groups) add_all(group);
+      return;
+    }
+    add(std::uint64_t{step.first});
+    if (is_of_a_pair(step.rule)) {
+      add(std::uint64_t{step.second});
+    } else {
+      add_all(step.uses);
     }
   }
 
@@ -148,11 +165,7 @@ class ProofWriter {
     for (const auto& [rule, name] : kRules) {
       if (rule == step.rule) word(name);
     }
-    if (is_branching(step.rule)) {
-      position(step.first);
-      position(step.second);
-      return;
-    }
+    if (is_branching(step.rule)) return write_branching(step);
     if (has_threshold(step.rule)) number(step.threshold);
     number(static_cast<std::uint64_t>(step.point.changes.size()));
     for (const ProofMultiplier& change : step.point.changes) {
@@ -161,6 +174,23 @@ class ProofWriter {
     }
     number(static_cast<std::uint64_t>(step.point.cuts.size()));
     for (const ProofCut& cut : step.point.cuts) write(cut);
+  }
+
+  void write_branching(const ProofStep& step) {
+    if (step.rule == ProofRule::kSplit) {
+      number(static_cast<std::uint64_t>(step.groups.size()));
+      for (const std::vector<std::uint32_t>& group : step.groups) write(group);
+      return;
+    }
+    position(step.first);
+    if (is_of_a_pair(step.rule)) return position(step.second);
+    number(static_cast<std::uint64_t>(step.uses.size()));
+    for (const std::uint32_t arc : step.uses) number(std::uint64_t{arc});
+  }
+
+  void write(const std::vector<std::uint32_t>& group) {
+    number(static_cast<std::uint64_t>(group.size()));
+    for (const std::uint32_t p : group) position(p);
   }
 
   void write(const ProofCut& cut) {
@@ -201,7 +231,8 @@ class ProofReader {
   static constexpr std::size_t kLeastBytesPerPart = 8;  // "part 0 0"
   static constexpr std::size_t kLeastBytesPerPair = 4;  // "1 1 "
   static constexpr std::size_t kLeastBytesPerCut = 6;   // "0 1 0 "
-  static constexpr std::size_t kLeastBytesPerStep = 9;  // "apart 1 2"
+  static constexpr std::size_t kLeastBytesPerStep = 7;  // "split 0"
+  static constexpr std::size_t kLeastBytesPerOne = 2;   // "1 "
 
   void check_digest(std::uint64_t digest) {
     expect("end");
@@ -228,8 +259,7 @@ class ProofReader {
     ProofStep step;
     step.rule = read_rule();
     if (is_branching(step.rule)) {
-      step.first = position();
-      step.second = position();
+      read_branching(step);
       return step;
     }
     if (has_threshold(step.rule)) step.threshold = real("a threshold");
@@ -241,6 +271,25 @@ class ProofReader {
     step.point.cuts.resize(count("cuts", kLeastBytesPerCut));
     for (ProofCut& cut : step.point.cuts) read(cut);
     return step;
+  }
+
+  void read_branching(ProofStep& step) {
+    if (step.rule == ProofRule::kSplit) {
+      step.groups.resize(count("groups", kLeastBytesPerOne));
+      for (std::vector<std::uint32_t>& group : step.groups) {
+        group.resize(count("positions", kLeastBytesPerOne));
+        for (std::uint32_t& p : group) p = position();
+      }
+      return;
+    }
+    step.first = position();
+    if (is_of_a_pair(step.rule)) {
+      step.second = position();
+      return;
+    }
+    step.uses.resize(count("uses", kLeastBytesPerOne));
+    for (std::uint32_t& arc : step.uses)
+      arc = static_cast<std::uint32_t>(whole("an arc, or 0", kMostIndices));
   }
 
   void read(ProofCut& cut) {

@@ -1,14 +1,16 @@
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "bnb/branch_and_bound.hpp"
+#include "bnb/proof_log.hpp"
 #include "core/random.hpp"
-#include "decompose/components.hpp"
-#include "decompose/reduced_cost_fixing.hpp"
 #include "recovery/core_search.hpp"
 #include "relax/lagrangian.hpp"
 #include "solve/component_solver.hpp"
+#include "solve/tree_reduction.hpp"
 
 // Lagrangian branch and bound on a component: every node is relaxed, fixed by reduced costs and
 // split anew.
@@ -21,23 +23,14 @@ using core::Packing;
 
 namespace {
 
-// Fixing and splitting as branch and bound wants them.
-bnb::Reduction reduce(const Component& component, const bnb::NodeBound& bound, double cutoff) {
-  const decompose::Fixing fixing = decompose::fix(component, bound.u, bound.lower, cutoff);
-  bnb::Reduction reduction;
-  for (const ArcId a : fixing.taken) {
-    reduction.taken.arcs.push_back(core::original_arc(component, a));
-    reduction.taken.cost += component.costs[a];
+// The arcs that cost less than leaving their indices uncovered: no other is needed, and the steps
+// of a proof do not know any other.
+std::vector<ArcId> worthwhile_arcs(const Component& component) {
+  std::vector<ArcId> arcs;
+  for (ArcId a = 0; a < component.num_arcs(); ++a) {
+    if (component.costs[a] < 0) arcs.push_back(a);
   }
-  core::Cutter cutter;
-  const Component live = cutter.cut(component, fixing.live);
-  const std::vector<double> live_u = core::restrict_slots(component, bound.u, live);
-  const decompose::Partition parts = decompose::partition(live);
-  for (std::size_t c = 0; c < parts.num_components(); ++c) {
-    reduction.parts.push_back(cutter.cut(live, parts.component(c)));
-    reduction.u.push_back(core::restrict_slots(live, live_u, reduction.parts.back()));
-  }
-  return reduction;
+  return arcs;
 }
 
 // Arcs that it left.
@@ -51,6 +44,9 @@ std::size_t num_arcs(const bnb::Reduction& reduction) {
 
 void ComponentSolver::branch() {
   state_.method = "branch and bound";
+  core::Cutter cutter;
+  const Component worthwhile = cutter.cut(component_, worthwhile_arcs(component_));
+  const std::vector<double> u = core::restrict_slots(component_, state_.u, worthwhile);
   bnb::Collaborators collaborators;
   collaborators.bound = [&](const Component& node, std::span<const double> warm, double cutoff) {
     relax::LagrangianOptions loop = loop_options(node);
@@ -74,8 +70,8 @@ void ComponentSolver::branch() {
     return bound;
   };
   collaborators.reduce = [&](const Component& node, const bnb::NodeBound& bound, double cutoff) {
-    bnb::Reduction reduction = reduce(node, bound, cutoff);
-    if (&node != &component_) return reduction;  // else it is the root
+    bnb::Reduction reduction = reduce_node(node, bound, cutoff);
+    if (&node != &worthwhile) return reduction;  // else it is the root
     note_left(num_arcs(reduction));
     if (options_.method == Method::kExact) state_.live_arcs = num_arcs(reduction);
     return reduction;
@@ -86,10 +82,11 @@ void ComponentSolver::branch() {
   limits.error = precision_.error;
   limits.gap = allowed_gap_;
   limits.deadline = deadline_;
+  std::optional<bnb::ProofLog> proof;
+  if (proof_ != nullptr) limits.proof = &proof.emplace(proof_->fork());
   const bool coarse = limits.gap > limits.margin;
   const double cutoff = state_.best.cost - std::max(limits.margin, limits.gap);
-  bnb::SearchResult result =
-      bnb::branch_and_bound(component_, state_.u, cutoff, collaborators, limits);
+  bnb::SearchResult result = bnb::branch_and_bound(worthwhile, u, cutoff, collaborators, limits);
   state_.nodes += result.nodes;
   state_.searches += result.searches;
   state_.branching += result.branching;
@@ -100,8 +97,9 @@ void ComponentSolver::branch() {
     offer(packing, "branch and bound");
   }
   const double missed = coarse ? limits.gap : limits.error;
-  raise_bound(result.complete ? state_.best.cost - missed : std::min(result.lower, cutoff),
-              "branch and bound");
+  const double lower = result.complete ? state_.best.cost - missed : std::min(result.lower, cutoff);
+  if (proof && lower > state_.lower) proof_->replace(std::move(*proof));
+  raise_bound(lower, "branch and bound");
 }
 
 }  // namespace nda::pipeline

@@ -96,7 +96,7 @@ ComponentSolver::ComponentSolver(const Component& component,
                                  std::uint64_t seed,
                                  const core::Deadline& deadline,
                                  Monitor& monitor,
-                                 cutting::ProofLog* proof)
+                                 bnb::ProofLog* proof)
     : component_(component),
       required_(std::move(required)),
       options_(options),

@@ -5,13 +5,13 @@
 #include <optional>
 #include <vector>
 
+#include "bnb/proof_log.hpp"
 #include "bnb/slack_search.hpp"
 #include "core/clock.hpp"
 #include "core/component.hpp"
 #include "core/for_all.hpp"
 #include "core/shift.hpp"
 #include "cutting/master.hpp"
-#include "cutting/proof_log.hpp"
 #include "cutting/widening.hpp"
 #include "nda/options.hpp"
 #include "nda/solution.hpp"
@@ -79,7 +79,7 @@ class ComponentSolver {
                   std::uint64_t seed,
                   const core::Deadline& deadline,
                   Monitor& monitor,
-                  cutting::ProofLog* proof);
+                  bnb::ProofLog* proof);
 
   /// A bound was found before the deadline.  Without one, state().u are multipliers that prove
   /// little, and neither stage must be begun.
@@ -161,7 +161,7 @@ class ComponentSolver {
   static constexpr double kLeastSwapWorkPerArc = 2e4;
 
   const std::uint64_t seed_;
-  cutting::ProofLog* const proof_;
+  bnb::ProofLog* const proof_;
   const bool is_hot_;
   bool enumerated_ = false;
   bool tried_cliques_ = false;

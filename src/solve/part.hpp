@@ -3,8 +3,8 @@
 #include <memory>
 #include <optional>
 
+#include "bnb/proof_log.hpp"
 #include "core/component.hpp"
-#include "cutting/proof_log.hpp"
 #include "nda/solution.hpp"
 #include "solve/component_solver.hpp"
 #include "solve/settling.hpp"
@@ -14,7 +14,7 @@ namespace nda::pipeline {
 /// One component and its solver, kept between the rounds.
 struct Part {
   core::Component component;
-  std::unique_ptr<cutting::ProofLog> proof;  // null when none is asked for
+  std::unique_ptr<bnb::ProofLog> proof;  // null when none is asked for
   std::optional<SettledComponent> settled;
   std::unique_ptr<ComponentSolver> solver;  // null where settled
 

@@ -181,9 +181,9 @@ class Pipeline {
     if (part.component.num_arcs() == 0) return;
     if (options_.proof) {
       part.proof =
-          std::make_unique<cutting::ProofLog>(part.component,
-                                              pipeline::charges(part.component, shift_),
-                                              pipeline::precision_of(part.component, grid_).error);
+          std::make_unique<bnb::ProofLog>(part.component,
+                                          pipeline::charges(part.component, shift_),
+                                          pipeline::precision_of(part.component, grid_).error);
     }
     std::vector<bool> required;
     if (shift_.penalty > 0) required = pipeline::required_slots(part.component, problem_);

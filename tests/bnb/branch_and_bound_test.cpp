@@ -8,6 +8,7 @@
 
 #include "decompose/components.hpp"
 #include "decompose/reduced_cost_fixing.hpp"
+#include "nda/proof.hpp"
 #include "support/components.hpp"
 
 namespace nda::bnb {
@@ -89,6 +90,7 @@ Reduction fix_and_split(const Component& component, const NodeBound& bound, doub
   for (const ArcId a : fixing.taken) {
     reduction.taken.arcs.push_back(core::original_arc(component, a));
     reduction.taken.cost += component.costs[a];
+    reduction.forced.push_back({a, fixing.forcing[reduction.forced.size()]});
   }
   add_parts(component, bound.u, fixing.live, true, reduction);
   return reduction;
@@ -287,6 +289,67 @@ TEST_P(BranchAndBound, MarginOfNearlyTheGridLosesNothing) {
     EXPECT_NEAR(result.lower, best, 2 * kTie);
     if (HasFailure()) return;
   }
+}
+
+// Without arcs of positive cost, which no proof knows.
+Component worthwhile_component(std::uint64_t seed, bool integer) {
+  core::Random random(seed);
+  support::RandomComponentOptions options;
+  options.sizes.clear();
+  for (std::size_t k = 2 + random.below(4); k > 0; --k)
+    options.sizes.push_back(static_cast<Index>(1 + random.below(5)));
+  options.num_arcs = static_cast<int>(1 + random.below(14));
+  options.positive_share = 0;
+  options.integer = integer;
+  return support::random_component(seed, options);
+}
+
+bool has_worthless_arcs(const Component& component) {
+  return std::any_of(
+      component.costs.begin(), component.costs.end(), [](double c) { return c >= 0; });
+}
+
+TEST_P(BranchAndBound, WritesDownWhatItProves) {
+  int num_proofs = 0, num_branched = 0, num_split = 0;
+  for (std::uint64_t seed = 0; seed < 2400; ++seed) {
+    SCOPED_TRACE(seed);
+    const bool integer = seed % 2 == 0;
+    const Component component = worthwhile_component(seed, integer);
+    if (has_worthless_arcs(component)) continue;
+    core::Random random(seed);
+    const std::vector<double> u = support::feasible_multipliers(component, random);
+    const double best = support::best_cost(component);
+    BranchLimits limits = branch_always();
+    limits.margin = integer ? 1 - 1e-6 : kTie;
+    limits.enumeration_arcs = 4 * random.below(3);
+    // An open node shows what its own multipliers prove, even if those above proved more.
+    const bool inherits = std::string(GetParam().name).find("Fresh") == std::string::npos;
+    if (inherits && random.below(8) == 0)
+      limits.max_nodes = static_cast<std::int64_t>(random.below(12));
+    const double cutoff = random.below(3) == 0 ? best + random.uniform(-2, 5) : 0.5;
+    const SearchResult silent = search(component, u, cutoff, limits);
+    ProofLog log(component, std::vector<double>(component.num_slots(), 0.0), kTie / 16);
+    limits.proof = &log;
+    const SearchResult result = search(component, u, cutoff, limits);
+    EXPECT_EQ(result.nodes, silent.nodes);
+    EXPECT_EQ(result.lower, silent.lower);
+    const Problem problem = support::to_problem(component);
+    Proof proof{{problem.sizes().begin(), problem.sizes().end()}, problem.num_arcs(), 0, {}};
+    if (integer) proof.grid = 1;
+    proof.parts = {log.take()};
+    const ProofReport report = check_proof(problem, proof);
+    EXPECT_EQ(report.fault, "");
+    EXPECT_LE(report.lower_bound, best + 1e-12 * std::abs(best));
+    EXPECT_GE(report.lower_bound, std::min(result.lower, cutoff) - 8 * kTie);
+    ++num_proofs;
+    for (const ProofStep& step : proof.parts[0].steps) {
+      num_branched += step.rule == ProofRule::kCover;
+      num_split += step.rule == ProofRule::kSplit;
+    }
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(num_proofs, 1000);
+  EXPECT_GT(num_branched + num_split, 500);
 }
 
 INSTANTIATE_TEST_SUITE_P(

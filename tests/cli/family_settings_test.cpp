@@ -177,7 +177,7 @@ std::vector<Setting> settings() {
   all.push_back({"coordinates, two threads", coordinate});
   Options exact;
   exact.method = Method::kExact;
-  all.push_back({"exact", exact, true, false});
+  all.push_back({"exact", exact});
   Options relaxation;
   relaxation.method = Method::kRelaxation;
   relaxation.relaxation.kept_sets = 3;

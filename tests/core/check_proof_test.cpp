@@ -1,8 +1,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
+#include <numeric>
 
+#include "core/double_double.hpp"
 #include "core/random.hpp"
 #include "nda/proof.hpp"
 #include "support/brute_force.hpp"
@@ -33,6 +36,18 @@ ProofStep search(double u, double threshold) {
 
 ProofStep cliques(double u, double threshold) {
   return {ProofRule::kCliques, {{{0, u}, {1, u}, {2, u}}, {}}, threshold, 0, 0};
+}
+
+ProofStep cover(std::uint32_t position, std::vector<std::uint32_t> uses) {
+  ProofStep step{ProofRule::kCover, {}, 0, position, 0};
+  step.uses = std::move(uses);
+  return step;
+}
+
+ProofStep split(std::vector<std::vector<std::uint32_t>> groups) {
+  ProofStep step{ProofRule::kSplit, {}, 0, 0, 0};
+  step.groups = std::move(groups);
+  return step;
 }
 
 ProofReport report(const Proof& proof) {
@@ -89,6 +104,39 @@ TEST(CheckProof, TakesTheWorseChild) {
   expect_bound(frame({together, bound(-0.5), none}), -1.5);  // index 3 alone is charged -0.5
   expect_bound(frame({together, search(0, 0), none}), -1);
   expect_bound(frame({apart, none, search(0, 0)}), -1);
+}
+
+// Arcs 2 and 3 use the first index.  With either of them nothing is left to gain, without the index
+// arc 1 is; where nothing may use the index it can be worth anything.
+TEST(CheckProof, BranchesOnTheUsesOfAnIndex) {
+  const ProofStep demand{ProofRule::kBound, {{{0, 100}, {1, 0}, {2, 0}}, {}}, 0, 0, 0};
+  expect_bound(frame({cover(0, {2, 3, 0}), bound(0), bound(0), bound(-0.5), demand}), -1);
+  // Arcs 1 and 2 are left to the last child.
+  expect_bound(frame({cover(0, {3, 0}), bound(0), bound(-0.5), bound(-0.5)}), -1.5);
+  expect_bound(frame({cover(0, {}), bound(-0.5)}), -1.5);
+  // Fixing has forbidden arc 2: what its child shows does not matter.
+  const ProofStep fix{ProofRule::kFix, {{{0, -1}, {1, -1}, {2, -1}}, {}}, -2.1, 0, 0};
+  expect_bound(frame({fix, cover(0, {2}), bound(-100), bound(0)}), -2.1);
+}
+
+TEST(CheckProof, AddsUpWhatGroupsCost) {
+  const ProofStep demand{ProofRule::kBound, {{{0, 100}, {1, 0}, {2, 0}}, {}}, 0, 0, 0};
+  const auto grouped = [&](std::vector<std::vector<std::uint32_t>> groups, double u, double rest) {
+    return frame({cover(0, {2, 3, 0}),
+                  bound(0),
+                  bound(0),
+                  split(std::move(groups)),
+                  bound(u),
+                  bound(rest),
+                  demand});
+  };
+  expect_bound(grouped({{1, 2}}, -0.5, 0), -1);
+  expect_bound(grouped({{1, 2}}, -0.6, 0), -1.2);
+  Proof on_grid = grouped({{1, 2}}, -0.6, 0);
+  on_grid.grid = 1;
+  expect_bound(on_grid, -1);
+  EXPECT_THAT(report(grouped({{1}}, 0, 0)).fault, HasSubstr("arc 1 connects two groups"));
+  EXPECT_THAT(report(grouped({{0, 1, 2}}, 0, 0)).fault, HasSubstr("index that is not left"));
 }
 
 TEST(CheckProof, ForbidsArcsByTheirReducedCost) {
@@ -157,6 +205,26 @@ TEST(CheckProof, NamesTheFault) {
        [](Proof& p) {
          p.parts[0].steps.insert(p.parts[0].steps.begin(), {ProofRule::kApart, {}, 0, 1, 1});
        }},
+      {"arc 1 does not use the index",
+       [](Proof& p) {
+         p.parts[0].steps = {cover(0, {1}), bound(0), bound(0)};
+       }},
+      {"arc 4 does not use the index",
+       [](Proof& p) {
+         p.parts[0].steps = {cover(0, {4}), bound(0), bound(0)};
+       }},
+      {"index that is not left",
+       [](Proof& p) {
+         p.parts[0].steps = {cover(3, {0}), bound(0), bound(0)};
+       }},
+      {"index that is not left",
+       [](Proof& p) {
+         p.parts[0].steps = {cover(0, {0}), cover(0, {0}), bound(0), bound(0), bound(0)};
+       }},
+      {"in another group",
+       [](Proof& p) {
+         p.parts[0].steps = {split({{0, 1, 2, 0}}), bound(0), bound(0)};
+       }},
       {"too wide",
        [&](Proof& p) {
          p.parts[0].steps[0].rule = ProofRule::kSearch;
@@ -178,8 +246,11 @@ TEST(CheckProof, NamesTheFault) {
 }
 
 TEST(CheckProof, RefusesTreesTooDeepForTheStack) {
-  std::vector<ProofStep> steps(200000, {ProofRule::kApart, {}, 0, 0, 1});
-  EXPECT_THAT(report(frame(std::move(steps))).fault, HasSubstr("too deep"));
+  for (const ProofStep& step :
+       {ProofStep{ProofRule::kApart, {}, 0, 0, 1}, cover(0, {}), split({{0, 1, 2}})}) {
+    std::vector<ProofStep> steps(200000, step);
+    EXPECT_THAT(report(frame(std::move(steps))).fault, HasSubstr("too deep"));
+  }
 }
 
 // A ladder: arcs (i, i) and (i, i + 1), and a proof that searches it rung by rung.
@@ -227,7 +298,7 @@ TEST(CheckProof, SearchesWithinCuts) {
 // Any tree at all, with any numbers.
 class RandomProof {
  public:
-  RandomProof(const Problem& problem, core::Random& random) : random_(random) {
+  RandomProof(const Problem& problem, core::Random& random) : problem_(problem), random_(random) {
     proof_.sizes.assign(problem.sizes().begin(), problem.sizes().end());
     proof_.num_arcs = problem.num_arcs();
     ProofPart part;
@@ -236,7 +307,10 @@ class RandomProof {
     }
     num_ = part.indices.size();
     for (const double cost : problem.costs()) scale_ = std::max(scale_, std::abs(cost));
-    grow(part.steps, 0);
+    list_arcs();
+    std::vector<std::uint32_t> all(num_);
+    std::iota(all.begin(), all.end(), 0u);
+    grow(part.steps, 0, all);
     proof_.parts.push_back(std::move(part));
   }
 
@@ -264,16 +338,83 @@ class RandomProof {
     return point;
   }
 
-  void grow(std::vector<ProofStep>& steps, int depth) {
+  // Positions of the arcs worth using; of others none.
+  void list_arcs() {
+    std::vector<std::uint32_t> first = {0};
+    for (int k = 0; k < problem_.num_dimensions(); ++k)
+      first.push_back(first.back() + problem_.size(k));
+    for (std::size_t a = 0; a < problem_.num_arcs(); ++a) {
+      arcs_.emplace_back();
+      core::DoubleDouble excess(problem_.costs()[a]);
+      bool is_free = true;  // to leave its indices alone
+      for (int k = 0; k < problem_.num_dimensions(); ++k) {
+        const Index i = problem_.indices(k)[a];
+        if (i == 0) continue;
+        const double alone = problem_.singleton_costs(k)[i];
+        is_free = is_free && alone < kInfinity;
+        if (is_free) excess.add(-alone);
+        arcs_.back().push_back(first[static_cast<std::size_t>(k)] + i - 1);
+      }
+      if (is_free && !excess.negative()) arcs_.back().clear();
+    }
+  }
+
+  static std::vector<std::uint32_t> without(std::vector<std::uint32_t> left,
+                                            std::span<const std::uint32_t> done) {
+    std::erase_if(left, [&](std::uint32_t p) { return std::ranges::find(done, p) != done.end(); });
+    return left;
+  }
+
+  void grow_cover(std::vector<ProofStep>& steps,
+                  int depth,
+                  const std::vector<std::uint32_t>& left) {
+    const std::uint32_t p = left[random_.below(left.size())];
+    ProofStep step = cover(p, {});
+    if (random_.below(2) == 0) step.uses.push_back(0);
+    for (std::uint32_t a = 0; a < arcs_.size(); ++a) {
+      if (std::ranges::find(arcs_[a], p) != arcs_[a].end() && random_.below(3) != 0)
+        step.uses.push_back(a + 1);
+    }
+    const std::vector<std::uint32_t> uses = step.uses;
+    steps.push_back(std::move(step));
+    for (const std::uint32_t use : uses) {
+      const std::vector<std::uint32_t> done = use == 0 ? std::vector{p} : arcs_[use - 1];
+      grow(steps, depth + 1, without(left, done));
+    }
+    grow(steps, depth + 1, left);
+  }
+
+  // One group: what arcs connect with an index.
+  void grow_split(std::vector<ProofStep>& steps,
+                  int depth,
+                  const std::vector<std::uint32_t>& left) {
+    std::vector<std::uint32_t> group = {left[random_.below(left.size())]};
+    for (std::size_t n = 0; n < group.size(); ++n) {
+      for (const std::vector<std::uint32_t>& arc : arcs_) {
+        if (std::ranges::find(arc, group[n]) == arc.end()) continue;
+        for (const std::uint32_t p : without(arc, group)) {
+          if (std::ranges::find(left, p) != left.end()) group.push_back(p);
+        }
+      }
+    }
+    steps.push_back(split({group}));
+    grow(steps, depth + 1, group);
+    grow(steps, depth + 1, without(left, group));
+  }
+
+  void grow(std::vector<ProofStep>& steps, int depth, const std::vector<std::uint32_t>& left) {
     for (std::size_t n = random_.below(3); n > 0; --n)
       steps.push_back({ProofRule::kFix, point(true), 3 * number(), 0, 0});
-    if (depth < 4 && num_ > 1 && random_.below(2) == 0) {
+    const bool grows = depth < 4 && random_.below(3) != 0;
+    if (grows && !left.empty() && random_.below(2) == 0) {
+      random_.below(2) == 0 ? grow_cover(steps, depth, left) : grow_split(steps, depth, left);
+    } else if (grows && num_ > 1) {
       const std::uint32_t first = position();
       const auto second = static_cast<std::uint32_t>((first + 1 + position() % (num_ - 1)) % num_);
       const ProofRule rule = random_.below(2) == 0 ? ProofRule::kTogether : ProofRule::kApart;
       steps.push_back({rule, {}, 0, first, second});
-      grow(steps, depth + 1);
-      grow(steps, depth + 1);
+      grow(steps, depth + 1, left);
+      grow(steps, depth + 1, left);
     } else if (const std::uint64_t kind = random_.below(3); kind > 0) {
       const ProofRule rule = kind == 1 ? ProofRule::kSearch : ProofRule::kCliques;
       steps.push_back({rule, point(true), 3 * number(), 0, 0});
@@ -282,7 +423,9 @@ class RandomProof {
     }
   }
 
+  const Problem& problem_;
   core::Random& random_;
+  std::vector<std::vector<std::uint32_t>> arcs_;  // [arc]
   Proof proof_;
   std::size_t num_ = 0;
   double scale_ = 1;

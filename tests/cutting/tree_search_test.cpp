@@ -24,7 +24,7 @@ struct Outcome {
 Outcome search(const Component& component,
                const core::ForAll& for_all,
                std::int64_t max_nodes = 1000000,
-               ProofLog* proof = nullptr) {
+               bnb::ProofLog* proof = nullptr) {
   Master master(component, all_arcs(component), no_multipliers(component));
   BranchAndCutLimits limits;
   limits.max_nodes = max_nodes;
@@ -99,7 +99,7 @@ TEST(TreeSearch, ItsProofIsThatOfOneTree) {
   std::size_t branchings = 0;
   for (std::uint64_t seed = 0; seed < 600; ++seed) {
     const Component component = fractional_component(seed);
-    ProofLog log(component, std::vector<double>(component.num_slots(), 0.0), 1e-9);
+    bnb::ProofLog log(component, std::vector<double>(component.num_slots(), 0.0), 1e-9);
     const Outcome outcome = search(component, core::ForAll(support::at_once), 1000000, &log);
     const Problem problem = problem_of(component);
     Proof proof;

@@ -1,4 +1,4 @@
-#include "cutting/proof_log.hpp"
+#include "bnb/proof_log.hpp"
 
 #include <algorithm>
 
@@ -8,8 +8,13 @@
 // shifted multiplier, whatever the charge was.  Indices whose arcs have all been fixed before what
 // was entered last keep their charge.
 
-namespace nda::cutting {
+namespace nda::bnb {
 namespace {
+
+bool has_point(ProofRule rule) {
+  return rule == ProofRule::kBound || rule == ProofRule::kFix || rule == ProofRule::kSearch ||
+         rule == ProofRule::kCliques;
+}
 
 // Strings steps of several logs together, each of which says only how its multipliers change.
 class Weaver {
@@ -19,8 +24,7 @@ class Weaver {
   // `state`: multipliers of the step's log before it, and after.
   void append(const ProofStep& step, std::vector<double>& state) {
     steps_.push_back(step);
-    const bool has_point = step.rule != ProofRule::kTogether && step.rule != ProofRule::kApart;
-    if (!has_point) return;
+    if (!has_point(step.rule)) return;
     for (const auto [position, value] : step.point.changes) state[position] = value;
     std::vector<ProofMultiplier>& changes = steps_.back().point.changes;
     if (last_ != &state) changes = changes_to(state);
@@ -57,18 +61,25 @@ class Weaver {
 
 ProofLog::ProofLog(const core::Component& component, std::vector<double> base, double slack)
     : slack_(slack) {
-  core::DoubleDouble constant;
+  std::vector<std::uint32_t> all;
   core::for_each_index(component, [&](std::uint32_t slot, std::size_t k, Index i) {
     if (k >= position_of_.size()) position_of_.resize(k + 1);
     if (i >= position_of_[k].size()) position_of_[k].resize(i + std::size_t{1}, 0);
     position_of_[k][i] = static_cast<std::uint32_t>(base_.size());
+    all.push_back(position_of_[k][i]);
     part_.indices.push_back({static_cast<int>(k), i});
     base_.push_back(base[slot]);
-    constant.add(base[slot]);
   });
-  constant_ = constant.high();
   multipliers_.assign(base_.size(), 0.0);
+  wanted_.assign(base_.size(), 0.0);
+  scopes_.push_back(scope_of(std::move(all)));
   enter(component);
+}
+
+ProofLog::Scope ProofLog::scope_of(std::vector<std::uint32_t> positions) const {
+  core::DoubleDouble constant;
+  for (const std::uint32_t p : positions) constant.add(base_[p]);
+  return {std::move(positions), constant.high()};
 }
 
 void ProofLog::enter(const core::Component& part) {
@@ -90,9 +101,10 @@ ProofLog ProofLog::fork() const {
   ProofLog fork;
   fork.base_ = base_;
   fork.multipliers_.assign(base_.size(), 0.0);
+  fork.wanted_ = wanted_;
   fork.position_of_ = position_of_;
   fork.position_ = position_;
-  fork.constant_ = constant_;
+  fork.scopes_ = scopes_;
   fork.slack_ = slack_;
   return fork;
 }
@@ -111,57 +123,45 @@ void ProofLog::graft(std::span<const Graft> grafts) {
   part_.steps = weaver.take(multipliers_);
 }
 
-ProofPoint ProofLog::point(std::span<const double> u) {
-  std::vector<double> multipliers = base_;
-  // Dummies are at position 0 with u = 0.
+void ProofLog::replace(ProofLog&& fork) {
+  part_.steps = std::move(fork.part_.steps);
+  multipliers_ = std::move(fork.multipliers_);
+}
+
+ProofPoint ProofLog::point(std::span<const double> u, std::vector<ProofCut> cuts) {
+  const std::vector<std::uint32_t>& positions = scopes_.back().positions;
+  for (const std::uint32_t p : positions) wanted_[p] = base_[p];
+  // Dummies have u = 0.
   for (std::size_t slot = 0; slot < u.size(); ++slot) {
-    if (u[slot] != 0) multipliers[position_[slot]] += u[slot];
+    if (u[slot] != 0) wanted_[position_[slot]] += u[slot];
   }
-  ProofPoint point;
-  for (std::uint32_t p = 0; p < multipliers.size(); ++p) {
-    if (multipliers[p] != multipliers_[p]) point.changes.push_back({p, multipliers[p]});
+  ProofPoint point{{}, std::move(cuts)};
+  for (const std::uint32_t p : positions) {
+    if (wanted_[p] == multipliers_[p]) continue;
+    multipliers_[p] = wanted_[p];
+    point.changes.push_back({p, wanted_[p]});
   }
-  multipliers_ = std::move(multipliers);
-  return point;
-}
-
-ProofPoint ProofLog::point(const Master& master, std::span<const double> u) {
-  ProofPoint point = this->point(u);
-  for (const CutRow& row : master.cuts()) {
-    if (row.multiplier == 0) continue;
-    ProofCut cut{{}, row.cut.weights, row.cut.divisor, row.multiplier};
-    for (const std::uint32_t slot : row.cut.slots) cut.positions.push_back(position_[slot]);
-    point.cuts.push_back(std::move(cut));
+  for (ProofCut& cut : point.cuts) {
+    for (std::uint32_t& slot : cut.positions) slot = position_[slot];
   }
   return point;
 }
 
-void ProofLog::fix(std::span<const double> u, double threshold) {
-  part_.steps.push_back({ProofRule::kFix, point(u), unshifted(threshold), 0, 0});
+void ProofLog::fix(std::span<const double> u, double threshold, std::vector<ProofCut> cuts) {
+  part_.steps.push_back({ProofRule::kFix, point(u, std::move(cuts)), unshifted(threshold), 0, 0});
 }
 
-void ProofLog::fix(const Master& master, double threshold) {
-  part_.steps.push_back({ProofRule::kFix, point(master, master.u()), unshifted(threshold), 0, 0});
+void ProofLog::bound(std::span<const double> u, std::vector<ProofCut> cuts) {
+  part_.steps.push_back({ProofRule::kBound, point(u, std::move(cuts)), 0, 0, 0});
 }
 
-void ProofLog::bound(std::span<const double> u) {
-  part_.steps.push_back({ProofRule::kBound, point(u), 0, 0, 0});
-}
-
-void ProofLog::bound(const Master& master) {
-  part_.steps.push_back({ProofRule::kBound, point(master, master.u()), 0, 0, 0});
-}
-
-void ProofLog::search(std::span<const double> u, double threshold) {
-  part_.steps.push_back({ProofRule::kSearch, point(u), unshifted(threshold), 0, 0});
-}
-
-void ProofLog::search(const Master& master, std::span<const double> u, double threshold) {
-  part_.steps.push_back({ProofRule::kSearch, point(master, u), unshifted(threshold), 0, 0});
+void ProofLog::search(std::span<const double> u, double threshold, std::vector<ProofCut> cuts) {
+  part_.steps.push_back(
+      {ProofRule::kSearch, point(u, std::move(cuts)), unshifted(threshold), 0, 0});
 }
 
 void ProofLog::cliques(std::span<const double> u, double threshold) {
-  part_.steps.push_back({ProofRule::kCliques, point(u), unshifted(threshold), 0, 0});
+  part_.steps.push_back({ProofRule::kCliques, point(u, {}), unshifted(threshold), 0, 0});
 }
 
 void ProofLog::branch(std::uint32_t first, std::uint32_t second, bool together_first) {
@@ -172,4 +172,54 @@ void ProofLog::branch(std::uint32_t first, std::uint32_t second, bool together_f
                          position_[second]});
 }
 
-}  // namespace nda::cutting
+std::size_t ProofLog::cover(std::uint32_t slot) {
+  part_.steps.push_back({ProofRule::kCover, {}, 0, position_[slot], 0});
+  return part_.steps.size() - 1;
+}
+
+void ProofLog::use(std::size_t step, std::uint32_t arc, std::span<const std::uint32_t> slots) {
+  part_.steps[step].uses.push_back(arc);
+  std::vector<std::uint32_t> done;
+  for (const std::uint32_t slot : slots) done.push_back(position_[slot]);
+  leave_out(done);
+}
+
+void ProofLog::split(std::span<const core::Component* const> parts) {
+  ProofStep step{ProofRule::kSplit, {}, 0, 0, 0};
+  for (const core::Component* part : parts) step.groups.push_back(positions_of(*part));
+  part_.steps.push_back(std::move(step));
+}
+
+void ProofLog::group(const core::Component& part) {
+  scopes_.push_back(scope_of(positions_of(part)));
+}
+
+void ProofLog::rest(std::span<const core::Component* const> parts) {
+  std::vector<std::uint32_t> elsewhere;
+  for (const core::Component* part : parts) {
+    const std::vector<std::uint32_t> positions = positions_of(*part);
+    elsewhere.insert(elsewhere.end(), positions.begin(), positions.end());
+  }
+  leave_out(elsewhere);
+}
+
+std::vector<std::uint32_t> ProofLog::positions_of(const core::Component& part) const {
+  std::vector<std::uint32_t> positions;
+  core::for_each_index(part, [&](std::uint32_t, std::size_t k, Index i) {
+    positions.push_back(position_of_[k][i]);
+  });
+  return positions;
+}
+
+// The scope without these positions.
+void ProofLog::leave_out(std::span<const std::uint32_t> positions) {
+  std::vector<bool> out(base_.size(), false);
+  for (const std::uint32_t p : positions) out[p] = true;
+  std::vector<std::uint32_t> left;
+  for (const std::uint32_t p : scopes_.back().positions) {
+    if (!out[p]) left.push_back(p);
+  }
+  scopes_.push_back(scope_of(std::move(left)));
+}
+
+}  // namespace nda::bnb
