@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "decompose/components.hpp"
-#include "decompose/reduced_cost_fixing.hpp"
+#include "bnb/fakes.hpp"
 #include "nda/proof.hpp"
 #include "support/components.hpp"
 
@@ -17,84 +16,9 @@ namespace {
 using core::ArcId;
 using core::Component;
 using core::Packing;
-using support::sum_of;
-
-constexpr double kTie = 1e-9;
 
 using Bound = std::function<NodeBound(const Component&, std::span<const double>, double)>;
 using Reduce = std::function<Reduction(const Component&, const NodeBound&, double)>;
-
-// The collaborators are fakes: each does as little, or as much, as its contract allows.
-
-NodeBound keep_the_warm_multipliers(const Component&, std::span<const double> warm, double) {
-  return {{warm.begin(), warm.end()}, sum_of(warm), {}};
-}
-
-NodeBound start_afresh_from_random_multipliers(const Component& component,
-                                               std::span<const double>,
-                                               double) {
-  core::Random random(component.num_arcs());
-  std::vector<double> u = support::feasible_multipliers(component, random);
-  const double lower = sum_of(u);
-  return {std::move(u), lower, {}};
-}
-
-// Offers the best packing, too, as a heuristic may.
-NodeBound know_the_best_packing(const Component& component,
-                                std::span<const double> warm,
-                                double cutoff) {
-  NodeBound bound = keep_the_warm_multipliers(component, warm, cutoff);
-  for (const Packing& packing : support::all_packings(component)) {
-    if (packing.cost < bound.packing.cost) bound.packing = packing;
-  }
-  return bound;
-}
-
-// Adds the connected parts of `arcs`, or these arcs as one part.
-void add_parts(const Component& component,
-               std::span<const double> u,
-               const std::vector<ArcId>& arcs,
-               bool split,
-               Reduction& reduction) {
-  core::Cutter cutter;
-  const Component live = cutter.cut(component, arcs);
-  const std::vector<double> live_u = core::restrict_slots(component, u, live);
-  if (!split) {
-    if (live.num_arcs() == 0) return;
-    reduction.parts.push_back(live);
-    reduction.u.push_back(live_u);
-    return;
-  }
-  const decompose::Partition parts = decompose::partition(live);
-  for (std::size_t c = 0; c < parts.num_components(); ++c) {
-    reduction.parts.push_back(cutter.cut(live, parts.component(c)));
-    reduction.u.push_back(core::restrict_slots(live, live_u, reduction.parts.back()));
-  }
-}
-
-Reduction change_nothing(const Component& component, const NodeBound& bound, double) {
-  Reduction reduction;
-  add_parts(component, bound.u, all_arcs(component), false, reduction);
-  return reduction;
-}
-
-Reduction split_only(const Component& component, const NodeBound& bound, double) {
-  Reduction reduction;
-  add_parts(component, bound.u, all_arcs(component), true, reduction);
-  return reduction;
-}
-
-Reduction fix_and_split(const Component& component, const NodeBound& bound, double cutoff) {
-  const decompose::Fixing fixing = decompose::fix(component, bound.u, bound.lower, cutoff);
-  Reduction reduction;
-  for (const ArcId a : fixing.taken) {
-    reduction.taken.arcs.push_back(core::original_arc(component, a));
-    reduction.taken.cost += component.costs[a];
-    reduction.forced.push_back({a, fixing.forcing[reduction.forced.size()]});
-  }
-  add_parts(component, bound.u, fixing.live, true, reduction);
-  return reduction;
-}
 
 struct Fakes {
   const char* name;
@@ -104,13 +28,6 @@ struct Fakes {
 
 void PrintTo(const Fakes& fakes, std::ostream* out) {
   *out << fakes.name;
-}
-
-BranchLimits branch_always() {
-  BranchLimits limits;
-  limits.enumeration_arcs = 0;
-  limits.error = limits.margin = kTie;
-  return limits;
 }
 
 // A component cut out of a larger one, so that its arcs have other numbers there.
@@ -363,158 +280,6 @@ INSTANTIATE_TEST_SUITE_P(
                       Fakes{"OracleSplit", know_the_best_packing, split_only},
                       Fakes{"OracleFixed", know_the_best_packing, fix_and_split}),
     [](const auto& tested) { return tested.param.name; });
-
-// Two arcs in conflict at -5 and -4, u = -5 on the index they share.
-Component two_rivals() {
-  Component component = core::make_component({1, 2});
-  core::append_arc(component, std::vector<Index>{1, 1}, -5);
-  core::append_arc(component, std::vector<Index>{1, 2}, -4);
-  return component;
-}
-const std::vector<double> kRivalMultipliers = {0, -5, 0, 0, 0};
-
-// Below -4.5 the second arc is too dear, and the first is all that is left for the index they
-// share.
-TEST(BranchAndBoundContract, CountsWhatIsFixedAtItsNodes) {
-  const SearchResult result = branch_and_bound(two_rivals(),
-                                               kRivalMultipliers,
-                                               -4.5,
-                                               {keep_the_warm_multipliers, fix_and_split},
-                                               branch_always());
-  EXPECT_EQ(result.best.cost, -5);
-  EXPECT_EQ(result.branching.dropped, 1);
-  EXPECT_EQ(result.branching.taken, 1);
-  EXPECT_EQ(result.branching.splits, 0);
-}
-
-// The same twice.
-TEST(BranchAndBoundContract, CountsThePartsOfItsNodes) {
-  Component component = core::make_component({2, 4});
-  for (const Index i : {1u, 2u}) {
-    core::append_arc(component, std::vector<Index>{i, 2 * i - 1}, -5);
-    core::append_arc(component, std::vector<Index>{i, 2 * i}, -4);
-  }
-  const std::vector<double> u = {0, -5, -5, 0, 0, 0, 0, 0};
-  const SearchResult result = branch_and_bound(
-      component, u, kInfinity, {keep_the_warm_multipliers, split_only}, branch_always());
-  EXPECT_EQ(result.best.cost, -10);
-  EXPECT_EQ(result.branching.dropped, 0);
-  EXPECT_EQ(result.branching.taken, 0);
-  EXPECT_EQ(result.branching.splits, 1);
-  EXPECT_EQ(result.branching.parts, 2);
-}
-
-TEST(BranchAndBoundContract, FindsNothingThatIsNotBetterByTheMargin) {
-  BranchLimits limits = branch_always();
-  limits.margin = 1.5;
-  const Bound offer_the_second = [](const Component& node, std::span<const double> warm, double c) {
-    NodeBound bound = keep_the_warm_multipliers(node, warm, c);
-    if (node.num_arcs() == 2) bound.packing = {{1}, -4};
-    return bound;
-  };
-  const SearchResult result = branch_and_bound(
-      two_rivals(), kRivalMultipliers, kInfinity, {offer_the_second, split_only}, limits);
-  EXPECT_EQ(result.best.cost, -4) << "-5 is better by 1 only";
-  EXPECT_TRUE(result.complete);
-  limits.margin = kTie;
-  limits.gap = 1.5;
-  const SearchResult near = branch_and_bound(
-      two_rivals(), kRivalMultipliers, kInfinity, {offer_the_second, split_only}, limits);
-  EXPECT_EQ(near.best.cost, -4);
-  EXPECT_NEAR(near.lower, -5.5, kTie);
-}
-
-TEST(BranchAndBoundContract, PassesTheCutoffLessTheMarginToTheBound) {
-  BranchLimits limits = branch_always();
-  limits.margin = limits.error = 0.25;
-  std::vector<double> cutoffs;
-  const Bound record = [&](const Component& node, std::span<const double> warm, double cutoff) {
-    cutoffs.push_back(cutoff);
-    return keep_the_warm_multipliers(node, warm, cutoff);
-  };
-  branch_and_bound(two_rivals(), kRivalMultipliers, -1, {record, split_only}, limits);
-  ASSERT_FALSE(cutoffs.empty());
-  EXPECT_EQ(cutoffs.front(), -1);
-}
-
-TEST(BranchAndBoundContract, LooksNoFurtherOnceTheBoundReachesTheCutoff) {
-  int num_reductions = 0;
-  const Reduce count = [&](const Component& node, const NodeBound& bound, double cutoff) {
-    ++num_reductions;
-    return split_only(node, bound, cutoff);
-  };
-  const SearchResult result = branch_and_bound(
-      two_rivals(), kRivalMultipliers, -5, {keep_the_warm_multipliers, count}, branch_always());
-  EXPECT_TRUE(result.complete);
-  EXPECT_FALSE(result.found);
-  EXPECT_EQ(num_reductions, 0);
-  EXPECT_GE(result.lower, -5);
-}
-
-TEST(BranchAndBoundContract, EnumeratesSmallParts) {
-  int num_bounds = 0;
-  const Bound count = [&](const Component& node, std::span<const double> warm, double cutoff) {
-    ++num_bounds;
-    return keep_the_warm_multipliers(node, warm, cutoff);
-  };
-  const SearchResult result = branch_and_bound(
-      two_rivals(), kRivalMultipliers, kInfinity, {count, split_only}, BranchLimits{});
-  EXPECT_TRUE(result.complete);
-  EXPECT_EQ(result.best.cost, -5);
-  EXPECT_EQ(num_bounds, 0);
-  EXPECT_GT(result.nodes, 0);
-}
-
-TEST(BranchAndBoundContract, BoundsAgainWhatTakesTooLongToEnumerate) {
-  int num_bounds = 0;
-  const Bound count = [&](const Component& node, std::span<const double> warm, double cutoff) {
-    ++num_bounds;
-    return keep_the_warm_multipliers(node, warm, cutoff);
-  };
-  BranchLimits limits;
-  limits.enumeration_nodes = 1;
-  const SearchResult result =
-      branch_and_bound(two_rivals(), kRivalMultipliers, kInfinity, {count, split_only}, limits);
-  EXPECT_TRUE(result.complete);
-  EXPECT_EQ(result.best.cost, -5);
-  EXPECT_GT(num_bounds, 0);
-}
-
-TEST(BranchAndBoundContract, BoundsNoMoreNodesThanAllowed) {
-  support::RandomComponentOptions options;
-  options.sizes = {6, 6, 6};
-  options.num_arcs = 40;
-  const Component component = support::random_component(11, options);
-  core::Random random(1);
-  const std::vector<double> u = support::feasible_multipliers(component, random, 1);
-  for (const std::int64_t max_nodes : {0, 1, 2, 10}) {
-    SCOPED_TRACE(max_nodes);
-    BranchLimits limits = branch_always();
-    limits.max_nodes = max_nodes;
-    std::int64_t num_bounds = 0;
-    const Bound count = [&](const Component& node, std::span<const double> warm, double cutoff) {
-      ++num_bounds;
-      return keep_the_warm_multipliers(node, warm, cutoff);
-    };
-    const SearchResult result =
-        branch_and_bound(component, u, kInfinity, {count, split_only}, limits);
-    EXPECT_LE(num_bounds, max_nodes);
-    EXPECT_FALSE(result.complete);
-    EXPECT_LE(result.lower, support::best_cost(component) + kTie);
-    EXPECT_GE(result.lower, sum_of(u) - kTie) << "the multipliers alone prove that";
-  }
-}
-
-TEST(BranchAndBoundContract, OfNoArcsFindsTheEmptyPackingBelowThePositiveCutoff) {
-  const Component none = core::make_component({});
-  const Collaborators fakes{keep_the_warm_multipliers, split_only};
-  const SearchResult found = branch_and_bound(none, {}, 1, fakes, branch_always());
-  EXPECT_TRUE(found.complete && found.found);
-  EXPECT_EQ(found.best.cost, 0);
-  EXPECT_LE(found.lower, 0);
-  const SearchResult nothing = branch_and_bound(none, {}, -1, fakes, branch_always());
-  EXPECT_TRUE(nothing.complete && !nothing.found);
-}
 
 }  // namespace
 }  // namespace nda::bnb
