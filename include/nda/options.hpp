@@ -123,6 +123,10 @@ struct BranchOptions {
             ///< twice as many covered by cliques (docs/cuts.md)
   std::int64_t max_nodes = std::numeric_limits<std::int64_t>::max();  ///< per component; >= 0
   int node_evaluations = 60;  ///< of the dual function at a node; >= 1
+  /// Components with so many indices left get cuts over three indices as rows of the Lagrangian
+  /// dual before any linear program, which takes long there; those whose linear program would be
+  /// too large always do (docs/cuts.md).
+  std::size_t averaged_cuts_indices = 30000;
 };
 
 /// What a progress callback sees; sums over all components.

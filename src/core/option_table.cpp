@@ -264,6 +264,12 @@ void add_search_and_branch(std::vector<OptionRow>& rows) {
       [](auto& options) -> auto& { return options.branch.node_evaluations; },
       {1},
       "evaluations of the dual function at a node"));
+  rows.push_back(number<std::size_t>(
+      "branch.averaged_cuts_indices",
+      [](auto& options) -> auto& { return options.branch.averaged_cuts_indices; },
+      {},
+      "components of at least so many indices get cuts in the Lagrangian dual before any linear "
+      "program; 0 = all"));
 }
 
 void add_ranking(std::vector<OptionRow>& rows) {

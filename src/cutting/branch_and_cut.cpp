@@ -148,7 +148,7 @@ double BranchAndCut::leave(double lower) {
 
 // A leaf.
 double BranchAndCut::close(int depth, double lower) {
-  if (limits_.proof != nullptr) limits_.proof->bound(master_.u(), proof_cuts(master_));
+  if (limits_.proof != nullptr) limits_.proof->bound(master_.u(), proof_cuts(master_.cuts()));
   return finish(depth, lower);
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/component.hpp"
+#include "nda/proof.hpp"
 
 namespace nda::cutting {
 
@@ -29,6 +30,21 @@ struct CutEntry {
   core::ArcId arc;
   int coefficient;
 };
+
+/// A cut as a row of a relaxation.
+struct CutRow {
+  Cut cut;
+  std::vector<CutEntry> entries;  ///< its arcs among those live when it was made
+  double multiplier = 0;          ///< <= 0
+  int idle = 0;                   ///< solves since its multiplier was not 0
+};
+
+/// Those that count, as bnb::ProofLog takes them.
+std::vector<ProofCut> proof_cuts(std::span<const CutRow> rows);
+
+/// What a cut says of arcs that use no other than these slots, and where: slots[slot] of its own;
+/// 0 = not among them.
+Cut restrict_cut(const Cut& cut, std::span<const std::uint32_t> slots);
 
 /// The arcs in every slot: what cuts are made of.  4 bytes per (arc, real index).
 class SlotIndex {

@@ -112,7 +112,7 @@ CutLoopEnd run_cut_loop(const core::Component& component,
     const double gain = master.lower() - last_lower;
     last_lower = master.lower();
     if (options.fix && master.fix(cutoff) && options.proof != nullptr)
-      options.proof->fix(master.u(), cutoff, proof_cuts(master));
+      options.proof->fix(master.u(), cutoff, proof_cuts(master.cuts()));
     if (options.leaf != nullptr && search(*options.leaf, master, cutoff, options.work))
       return CutLoopEnd::kSearched;
     master.drop_idle(kMostIdle);

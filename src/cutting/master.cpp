@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/cheapest.hpp"
-#include "core/double_double.hpp"
+#include "cutting/cut_bound.hpp"
 
 // A linear program of some thousand columns stands for millions of arcs: the multipliers of the
 // bundle already tell which ones, so a few rounds of pricing are enough.  Whatever the simplex
@@ -98,20 +98,7 @@ void Master::insert(std::span<const ArcId> arcs) {
 
 // Reduced costs of all live arcs under u_ and the cuts' multipliers, and the bound they prove.
 void Master::price() {
-  for (const ArcId a : live_) reduced_[a] = core::reduced_cost(component_, u_, a);
-  core::DoubleDouble bound;
-  for (const double multiplier : u_) bound.add(multiplier);
-  for (const CutRow& row : cuts_) {
-    if (row.multiplier == 0) continue;
-    bound.add(row.multiplier * row.cut.right_side());
-    for (const CutEntry& entry : row.entries) {
-      reduced_[entry.arc] -= row.multiplier * entry.coefficient;
-    }
-  }
-  for (const ArcId a : live_) {
-    if (reduced_[a] < 0 && forbidden_[a] == 0) bound.add(reduced_[a]);
-  }
-  lower_ = bound.high();
+  lower_ = cutting::price(component_, live_, u_, cuts_, forbidden_, reduced_);
 }
 
 std::vector<ArcId> Master::entering() const {
@@ -242,15 +229,6 @@ bool Master::fix(double cutoff) {
     std::erase_if(row.entries, [&](const CutEntry& entry) { return dead(entry.arc); });
   }
   return std::erase_if(live_, dead) > 0;
-}
-
-std::vector<ProofCut> proof_cuts(const Master& master) {
-  std::vector<ProofCut> cuts;
-  for (const CutRow& row : master.cuts()) {
-    if (row.multiplier != 0)
-      cuts.push_back({row.cut.slots, row.cut.weights, row.cut.divisor, row.multiplier});
-  }
-  return cuts;
 }
 
 }  // namespace nda::cutting

@@ -8,17 +8,8 @@
 #include "core/component.hpp"
 #include "cutting/cut.hpp"
 #include "lp/linear_program.hpp"
-#include "nda/proof.hpp"
 
 namespace nda::cutting {
-
-/// A cut in the linear program.
-struct CutRow {
-  Cut cut;
-  std::vector<CutEntry> entries;  ///< its arcs among those live when it was made
-  double multiplier = 0;          ///< <= 0
-  int idle = 0;                   ///< solves since its multiplier was not 0
-};
 
 /// The linear relaxation of a component with cuts, exact, by column generation:
 ///
@@ -105,8 +96,5 @@ class Master {
   double lower_ = -kInfinity;
   bool dual_feasible_ = false;  // rows were added or bounds changed since the last solve
 };
-
-/// The cuts that count, as bnb::ProofLog takes them.
-std::vector<ProofCut> proof_cuts(const Master& master);
 
 }  // namespace nda::cutting

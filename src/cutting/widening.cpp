@@ -45,17 +45,6 @@ constexpr double kCoverShare = 0.05;  // of the work for bounds so far
 // Rounds of cuts before each call for better packings, and after the last one.
 constexpr std::array<int, 4> kRounds = {3, 8, 30, 200};
 
-// What a cut says of arcs that use no other than these slots; 0 = not among them.
-Cut restrict_cut(const Cut& cut, std::span<const std::uint32_t> slots) {
-  Cut restricted{{}, {}, cut.divisor};
-  for (std::size_t i = 0; i < cut.slots.size(); ++i) {
-    if (slots[cut.slots[i]] == 0) continue;
-    restricted.slots.push_back(slots[cut.slots[i]]);
-    restricted.weights.push_back(cut.weights[i]);
-  }
-  return restricted;
-}
-
 class Widening {
  public:
   Widening(const core::Component& component,
@@ -67,7 +56,9 @@ class Widening {
         observer_(observer),
         cutoff_(limits.cutoff),
         master_(component, core::all_arcs(component), u),
-        proof_size_(limits.proof == nullptr ? 0 : limits.proof->size()) {}
+        proof_size_(limits.proof == nullptr ? 0 : limits.proof->size()) {
+    for (const Cut& cut : limits.cuts) master_.add(cut);
+  }
 
   WideningResult run() {
     if (limits_.max_nodes > 0 && tighten()) {
@@ -85,7 +76,7 @@ class Widening {
       if (covered_)
         limits_.proof->cliques({}, cutoff_);
       else
-        limits_.proof->bound(master_.u(), proof_cuts(master_));
+        limits_.proof->bound(master_.u(), proof_cuts(master_.cuts()));
     }
     return result_;
   }
@@ -111,7 +102,7 @@ class Widening {
     const auto round = [&](const Master& point) {
       if (result_.lower == -kInfinity) {
         observer_.relaxed(point);
-        lower_without_cuts_ = point.lower();
+        lower_without_cuts_ = limits_.cuts.empty() ? point.lower() : limits_.lower_without_cuts;
       }
       raise(point.lower());
       return offer_(point, nullptr);
@@ -146,7 +137,7 @@ class Widening {
     for (const CutRow& row : master_.cuts()) circle.add(restrict_cut(row.cut, slots));
     if (limits_.proof != nullptr) {
       limits_.proof->cut_back(proof_size_);
-      limits_.proof->fix(master_.u(), target, proof_cuts(master_));
+      limits_.proof->fix(master_.u(), target, proof_cuts(master_.cuts()));
       limits_.proof->enter(within);
     }
     BranchAndCutLimits limits;

@@ -19,6 +19,9 @@ struct WideningLimits {
   double cutoff = kInfinity;  ///< only packings cheaper than this are looked for
   double margin = 0;          ///< BranchAndCutLimits::margin
   std::int64_t max_nodes = 0;
+  std::vector<Cut> cuts;  ///< to begin with
+  /// What the relaxation proves without them; -inf: there are none.
+  double lower_without_cuts = -kInfinity;
   core::ForAll for_all;  ///< of long searches and large trees (cutting/tree_search.hpp)
   core::Deadline deadline;
   /// Where to write down why the bound holds: all of it if no limit struck, else what the cuts of
@@ -38,7 +41,7 @@ struct WideningObserver {
   /// A packing (arcs of the component), or null and a relaxed point to make one of.  Returns the
   /// cutoff from now on.
   PackingOffer offer;
-  /// The first linear program, without cuts.
+  /// The first linear program, with the cuts to begin with alone.
   std::function<void(const Master& point)> relaxed;
   /// A chance to look for better packings: when the first rounds of cuts and searches by their
   /// multipliers did not end it, when more rounds did not, after every circle, and within those

@@ -25,6 +25,14 @@ struct Iterate {
 /// Returns false to stop the maximiser.
 using Observer = std::function<bool(const Iterate&)>;
 
+/// How the volume algorithm steps.  The defaults suit few evaluations from far off; {0.1, 5} suits
+/// a start near the maximum, where most single subgradients lead nowhere and only a long average
+/// does.
+struct VolumeSteps {
+  double first_alpha = 0.8;  ///< most that a subgradient counts in the average at first; in (0, 1]
+  int patience = 1;          ///< steps without increase that shorten the next ones; >= 1
+};
+
 /// Common limits.  All methods count work in evaluations, never in seconds.
 ///
 /// Tolerances are relative to S = max(|q(best)|, q(best) - q(start)), so that scaling q or u
@@ -41,6 +49,7 @@ struct MaximizeOptions {
   double expected_increase = 0;
   /// Bundle trust: first step parameter t (see MaximizeResult::step); 0 = from expected_increase.
   double initial_step = 0;
+  VolumeSteps volume;
 };
 
 /// Why a maximiser stopped.

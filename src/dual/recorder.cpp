@@ -39,6 +39,11 @@ void validate(const MaximizeOptions& options) {
   if (!(options.initial_step >= 0) || !std::isfinite(options.initial_step)) {
     fail("initial_step must be >= 0 and finite, it", options.initial_step);
   }
+  if (!(options.volume.first_alpha > 0 && options.volume.first_alpha <= 1)) {
+    fail("volume.first_alpha must be in (0, 1], it", options.volume.first_alpha);
+  }
+  if (options.volume.patience < 1)
+    fail("volume.patience must be >= 1, it", options.volume.patience);
 }
 
 Recorder::Recorder(ConcaveFunction& function,

@@ -12,7 +12,8 @@
 // changes nothing, and doubled rather than raised by 5 % when reached; f loses a third at every red
 // step, not after 20 of them, and has no floor; the limit of alpha starts at 0.8, not 0.1, and is
 // tried against the last 50 evaluations, not 100.  The paper has thousands of steps in mind, here
-// they are hundreds, and T is only a guess.  Should the average vanish while its linearisation
+// they are hundreds, and T is only a guess.  Who begins near the maximum and wants the average is
+// nearer to the paper: VolumeSteps.  Should the average vanish while its linearisation
 // error does not, it starts again from the last subgradient.  The run ends when that error and the
 // norm of the average times the distance covered are both small, the test of the bundle method.
 #include <algorithm>
@@ -24,8 +25,7 @@
 namespace nda::dual {
 namespace {
 
-constexpr double kFirstLimit = 0.8;  // of alpha
-constexpr double kLeastLimit = 1e-5;
+constexpr double kLeastLimit = 1e-5;  // of alpha
 constexpr int kLimitPeriod = 50;      // evaluations between trials of the limit
 constexpr double kLimitRise = 0.01;   // a relative rise in such a period that keeps it
 constexpr double kFirstFactor = 0.5;  // f
@@ -83,7 +83,8 @@ class Volume {
   double radius_ = 0;  // expected distance, or farthest centre from the start
   double rise_ = 0;    // T - q(start)
   double factor_ = kFirstFactor;
-  double limit_ = kFirstLimit;
+  double limit_ = options_.volume.first_alpha;
+  int reds_ = 0;            // red steps since f was changed
   double limit_value_ = 0;  // q(centre) when limit_ was last tried
 };
 
@@ -128,8 +129,10 @@ void Volume::accept(double value) {
 
 void Volume::adapt_factor(bool improved, double slope) {
   if (improved) {
+    reds_ = 0;
     if (slope >= 0) factor_ = std::min(kMostFactor, factor_ * kGreen);
-  } else {
+  } else if (++reds_ >= options_.volume.patience) {
+    reds_ = 0;
     factor_ *= kRed;
   }
 }

@@ -9,7 +9,6 @@
 #include "core/random.hpp"
 #include "core/reduced_costs.hpp"
 #include "cutting/leaf_search.hpp"
-#include "cutting/widening.hpp"
 #include "recovery/core_search.hpp"
 #include "recovery/greedy.hpp"
 #include "recovery/kept_solver.hpp"
@@ -30,8 +29,6 @@ using core::ArcId;
 using core::Component;
 using core::Packing;
 
-// Above this the linear program would be too large to be of use, and memory runs out.
-constexpr std::size_t kMostCuttingArcs = 2000000;
 // What more evaluations and recoveries would find, a linear program and a search by its multipliers
 // find sooner.
 constexpr int kEvaluationsBeforeLp = 50;
@@ -39,9 +36,6 @@ constexpr int kEvaluationsBeforeLp = 50;
 constexpr int kIndicesPerEvaluation = 25;
 // A recovery takes as long as dozens of evaluations of many arcs in one component.
 constexpr int kLargeInterval = 100;
-// A rounded point is worth descending from when it misses the best by at most this share of the
-// gap.
-constexpr double kPromising = 0.25;
 // Of the dimensionwise search of a component too large for an early linear program.
 constexpr double kReassigningPerArc = 200;
 // Time kept for the last certificate, as a multiple of what the first took.
@@ -194,57 +188,6 @@ Status ComponentSolver::reason_to_stop() const {
   return options_.method == Method::kRelaxation ? Status::kIterationLimit : Status::kNodeLimit;
 }
 
-// Cuts and branching on the arcs that reduced costs leave, as a component of their own.
-void ComponentSolver::branch_and_cut() {
-  const std::vector<ArcId> live = live_arcs();
-  state_.live_arcs = live.size();
-  note_left(live.size());
-  if (live.empty() || live.size() > kMostCuttingArcs) return;
-  state_.method = "branch and cut";
-  core::Cutter cutter;
-  const Component core = cutter.cut(component_, live);
-  const std::vector<double> u = core::restrict_slots(component_, state_.u, core);
-  cutting::WideningLimits limits;
-  limits.margin = std::max(precision_.margin, allowed_gap_);
-  const auto goal = [&] { return state_.best.cost - limits.margin; };
-  limits.cutoff = goal();
-  limits.for_all = for_all_;
-  limits.max_nodes = options_.branch.max_nodes - state_.nodes;
-  limits.deadline = deadline_;
-  limits.proof = proof_;
-  if (proof_ != nullptr) {
-    proof_->fix(state_.u, cutoff());
-    proof_->enter(core);
-  }
-  cutting::WideningObserver observer;
-  observer.offer = [&](const cutting::Master& point, const Packing* found) {
-    const Component& relaxed = point.component();
-    Packing packing = found != nullptr ? *found : round(relaxed, point);
-    for (ArcId& a : packing.arcs) a = core::original_arc(relaxed, a);
-    packing.arcs = core::arcs_from_original(component_, std::move(packing.arcs));
-    offer(packing, "branch and cut");
-    return goal();
-  };
-  observer.relaxed = [&](const cutting::Master& point) { adopt_multipliers(core, point.u()); };
-  observer.improve = [&](cutting::Master& point, const cutting::PrimalBudget& budget) {
-    improve(core, live, point, budget);
-    return goal();
-  };
-  observer.raise = [&](double lower) { raise_bound(std::min(lower, goal()), "cuts"); };
-  const cutting::WideningResult found = cutting::search_widening(core, u, limits, observer);
-  state_.nodes += found.nodes;
-  note_left(found.live_arcs);
-  state_.searches += found.fixing;
-}
-
-// Those of a linear program prove more than those of the relaxation.
-void ComponentSolver::adopt_multipliers(const Component& core, std::span<const double> core_u) {
-  std::vector<double> u = state_.u;
-  core::extend_slots(core, core_u, component_, u);
-  const double certificate = relax::make_feasible(component_, u, deadline_);
-  accept_multipliers(std::move(u), certificate, "linear program");
-}
-
 // Where branch and cut did not write down its steps, the multipliers prove the bound, or a search
 // that the checker can do again.
 void ComponentSolver::finish_proof() {
@@ -253,19 +196,6 @@ void ComponentSolver::finish_proof() {
   if (is_open && enumerated_) return proof_->search(state_.u, cutoff());
   if (is_open && searched_cliques_) return proof_->cliques({}, cutoff());
   proof_->bound(state_.u);
-}
-
-// A packing near a relaxed point: its largest values first, then descent.
-Packing ComponentSolver::round(const Component& core, const cutting::Master& point) const {
-  const Packing packing = recovery::round_values(core, point.arcs(), point.values());
-  const double gap = state_.best.cost - state_.lower;
-  if (packing.cost > state_.best.cost + kPromising * gap) return packing;
-  recovery::CoreSearchOptions search;
-  search.kicks_per_index = 0;
-  search.goal = search_goal();
-  core::Random random(seed_);
-  return recovery::search_core(
-      core, point.u(), cutoff() - state_.lower, packing, search, random, deadline_);
 }
 
 // Two dimensions: the relaxed problem is the problem.

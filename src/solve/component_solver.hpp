@@ -17,6 +17,7 @@
 #include "nda/solution.hpp"
 #include "recovery/dimensionwise_search.hpp"
 #include "relax/lagrangian.hpp"
+#include "rows/cut_rounds.hpp"
 #include "solve/monitor.hpp"
 
 namespace nda::pipeline {
@@ -138,7 +139,15 @@ class ComponentSolver {
   void accept_multipliers(std::vector<double> u, double certificate, const char* event);
   void branch_and_cut();
   void adopt_multipliers(const core::Component& core, std::span<const double> core_u);
-  core::Packing round(const core::Component& core, const cutting::Master& point) const;
+  bool wants_averaged_cuts(const core::Component& core) const;
+  rows::CutRoundsResult cut_on_averages(const core::Component& core, double margin);
+  double search_circles(const core::Component& core,
+                        std::span<const core::ArcId> live,
+                        cutting::WideningLimits& limits);
+  core::Packing round(const core::Component& core,
+                      std::span<const core::ArcId> arcs,
+                      std::span<const double> values,
+                      std::span<const double> u) const;
   void branch();
   void close_gap();
   Status reason_to_stop() const;
@@ -157,6 +166,8 @@ class ComponentSolver {
   const core::ForAll for_all_;
   Monitor& monitor_;
   const Precision precision_;
+  // Above this the linear program would be too large to be of use, and memory runs out.
+  static constexpr std::size_t kMostCuttingArcs = 2000000;
   static constexpr double kLeastSwapWork = 2e7;
   static constexpr double kLeastSwapWorkPerArc = 2e4;
 

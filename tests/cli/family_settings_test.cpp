@@ -168,7 +168,8 @@ std::vector<Setting> settings() {
   Options subgradient = cut;
   subgradient.relaxation.dual_method = DualMethod::kSubgradient;
   subgradient.relaxation.assign2d = Assign2dMethod::kAuction;
-  all.push_back({"subgradients", subgradient});
+  subgradient.branch.averaged_cuts_indices = 0;
+  all.push_back({"subgradients, cuts on averages", subgradient});
   Options coordinate = cut;
   coordinate.relaxation.dual_method = DualMethod::kCoordinate;
   coordinate.relaxation.kept_sets = 0;

@@ -26,12 +26,17 @@ double cost_in(const Component& whole, const Master& point, const Packing& packi
   return cost;
 }
 
-Outcome search(const Component& component, double cutoff, std::int64_t max_nodes) {
+Outcome search(const Component& component,
+               double cutoff,
+               std::int64_t max_nodes,
+               const std::vector<Cut>& cuts = {}) {
   Outcome outcome;
   outcome.best.cost = cutoff;
   WideningLimits limits;
   limits.cutoff = cutoff;
   limits.max_nodes = max_nodes;
+  limits.cuts = cuts;
+  if (!cuts.empty()) limits.lower_without_cuts = -100;
   WideningObserver observer;
   observer.offer = [&](const Master& point, const Packing* packing) {
     if (packing != nullptr && packing->cost < outcome.best.cost) outcome.best = *packing;
@@ -40,7 +45,7 @@ Outcome search(const Component& component, double cutoff, std::int64_t max_nodes
     }
     return outcome.best.cost - 1e-7;
   };
-  observer.relaxed = [&](const Master& point) { EXPECT_TRUE(point.cuts().empty()); };
+  observer.relaxed = [&](const Master& point) { EXPECT_EQ(point.cuts().size(), cuts.size()); };
   observer.improve = [&](const Master&, const PrimalBudget&) { return outcome.best.cost - 1e-7; };
   observer.raise = [&](double lower) {
     EXPECT_GT(lower, outcome.last_bound);
@@ -70,6 +75,26 @@ TEST(Widening, FindsTheOptimumAndProvesIt) {
     ASSERT_TRUE(outcome.result.complete) << "seed " << seed;
     ASSERT_NEAR(std::min(0.0, outcome.best.cost), best, 1e-6) << "seed " << seed;
     ASSERT_LE(outcome.last_bound, best + 1e-6) << "seed " << seed;
+  }
+}
+
+TEST(Widening, TakesCutsToBeginWith) {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    const Component component = fractional_component(seed);
+    std::vector<std::uint32_t> slots;
+    core::for_each_index(component,
+                         [&](std::uint32_t slot, std::size_t, Index) { slots.push_back(slot); });
+    core::Random random(seed);
+    std::vector<Cut> cuts;
+    while (cuts.size() < 30) {
+      core::shuffle(slots, random);
+      std::vector<std::uint32_t> three(slots.begin(), slots.begin() + 3);
+      std::sort(three.begin(), three.end());
+      cuts.push_back({three, {1, 1, 1}, 2});
+    }
+    const Outcome outcome = search(component, 1e-6, 1000000, cuts);
+    ASSERT_TRUE(outcome.result.complete) << "seed " << seed;
+    ASSERT_NEAR(std::min(0.0, outcome.best.cost), support::best_cost(component), 1e-6) << seed;
   }
 }
 

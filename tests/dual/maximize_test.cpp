@@ -179,6 +179,9 @@ TEST_P(MaximizeTest, RejectsOptionsOutOfRange) {
   expect_rejected([](MaximizeOptions& o) { o.bundle_size = 1; });
   expect_rejected([](MaximizeOptions& o) { o.expected_increase = -1; });
   expect_rejected([](MaximizeOptions& o) { o.initial_step = kInfinity; });
+  expect_rejected([](MaximizeOptions& o) { o.volume.first_alpha = 0; });
+  expect_rejected([](MaximizeOptions& o) { o.volume.first_alpha = kNan; });
+  expect_rejected([](MaximizeOptions& o) { o.volume.patience = 0; });
 }
 
 /// Becomes NaN, or has a NaN in its subgradient, at the third evaluation.

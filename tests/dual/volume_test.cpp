@@ -59,6 +59,36 @@ TEST(Volume, AveragedPrimalPointsBecomeFeasible) {
   }
 }
 
+TEST(Volume, CountsASubgradientAsLittleAsAskedFor) {
+  test::PlantedPacking packing({4, 15, 20, 1}, 2);
+  const std::vector<double> start(packing.num_variables());
+  MaximizeOptions options = options_for(100);
+  options.volume.first_alpha = 0.1;
+  maximize_volume(packing, start, options, [&](const Iterate& it) {
+    EXPECT_LE(it.primal_step, it.evaluation == 1 ? 1 : 0.1);
+    return true;
+  });
+}
+
+// How far from the start it still looks after 60 evaluations from the maximum, where none gains.
+TEST(Volume, KeepsItsStepsForAsLongAsAskedFor) {
+  const auto last_reach = [](int patience) {
+    test::Planes roof({0, 0, 0}, {{1, 0}, {-1, 1}, {0, -1}});
+    const std::vector<double> start = {0, 0};
+    MaximizeOptions options = options_for(60);
+    options.relative_tolerance = 0;
+    options.expected_increase = 1;
+    options.volume.patience = patience;
+    double reach = 0;
+    maximize_volume(roof, start, options, [&](const Iterate& it) {
+      reach = std::hypot(it.point[0], it.point[1]);
+      return true;
+    });
+    return reach;
+  };
+  EXPECT_GT(last_reach(5), 1000 * last_reach(1));
+}
+
 // Two opposed subgradients whose average vanishes far from the maximum: no convergence.
 TEST(Volume, GoesOnWhereTheAverageVanishesTooEarly) {
   test::Planes planes({0, 2}, {{1}, {-1}});

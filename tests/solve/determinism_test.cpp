@@ -59,8 +59,14 @@ Options branching() {
   return options;
 }
 
+Options cutting_on_averages() {
+  Options options = branching();
+  options.branch.averaged_cuts_indices = 0;
+  return options;
+}
+
 TEST(Determinism, ThreadsDoNotChangeTheAnswer) {
-  for (const Options& options : {Options{}, branching()}) {
+  for (const Options& options : {Options{}, branching(), cutting_on_averages()}) {
     for (const Problem* problem :
          {&gadgets().problem, &planted(PlantedSingletons::kPriced).problem}) {
       const Solution single = solve(*problem, options);

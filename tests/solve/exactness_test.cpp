@@ -73,6 +73,8 @@ std::vector<Path> paths() {
   branch.branch.node_evaluations = 3;
   branch.search.local_search = false;
   result.push_back({"branch and bound", branch, true});
+  branch.branch.averaged_cuts_indices = 0;
+  result.push_back({"cuts on averages", branch, true});
   Options relaxation;
   relaxation.method = Method::kRelaxation;
   relaxation.branch.exact_arcs = 0;

@@ -16,6 +16,12 @@
 namespace nda {
 namespace {
 
+Options cutting_on_averages() {
+  Options options = branching();
+  options.branch.averaged_cuts_indices = 0;
+  return options;
+}
+
 TEST(Proof, IsThereOnDemandOnly) {
   EXPECT_FALSE(solve(gapped_problem(1)).proof);
   EXPECT_TRUE(solve(gapped_problem(1), plain()).proof);
@@ -27,7 +33,7 @@ TEST(Proof, ShowsTheOptimumOfRandomProblems) {
   for (std::uint64_t seed = 0; seed < 3000; ++seed) {
     const support::RandomCase test = support::random_case(seed);
     SCOPED_TRACE(test.description);
-    for (const Options& options : {plain(), branching()}) {
+    for (const Options& options : {plain(), branching(), cutting_on_averages()}) {
       const Solution solution = solve(test.problem, options);
       ASSERT_EQ(solution.proof.has_value(), solution.status != Status::kInfeasible);
       if (!solution.proof) continue;
@@ -78,6 +84,24 @@ TEST(Proof, ShowsWhatCutsAndBranchingProve) {
     EXPECT_GT(num_branchings, 3);
     EXPECT_GT(num_cuts, 20);
   }
+}
+
+// No linear program may follow, so the rounds have the last word.
+TEST(Proof, ShowsWhatCutsOnAveragesProve) {
+  Options options = cutting_on_averages();
+  options.branch.max_nodes = 0;
+  int num_raised = 0;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE(seed);
+    const Problem problem = gapped_problem(seed);
+    const Solution solution = solve(problem, options);
+    const CheckReport report = check(problem, solution, *solution.proof);
+    ASSERT_TRUE(report.passed()) << report.faults.front();
+    EXPECT_LE(report.proof_bound, solve(problem).cost + 1e-9);
+    EXPECT_GE(report.proof_bound, solution.lower_bound - 1e-9 * std::abs(solution.lower_bound));
+    num_raised += solution.stats.bound_by_branching;
+  }
+  EXPECT_GT(num_raised, 50);
 }
 
 bool has_cliques(const Proof& proof) {

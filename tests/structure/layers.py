@@ -9,7 +9,7 @@ LEVEL = {
     "core": 0,
     "io": 1, "assign2d": 1, "dual": 1, "decompose": 1, "bnb": 1, "lp": 1, "generate": 1, "reduce": 1,
     "relax": 2, "cutting": 2, "baselines": 2,
-    "recovery": 3, "bounded": 3,
+    "recovery": 3, "bounded": 3, "rows": 3,
     "solve": 4,
     "kbest": 5, "msap": 5, "mio": 5, "mip": 5,
     "track": 6,
