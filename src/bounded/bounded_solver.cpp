@@ -131,7 +131,8 @@ void BoundedSolver::relax(bool is_last) {
   LagrangianOptions loop = loop_options(asked, deadline_);
   loop.max_evaluations =
       is_last ? asked.max_evaluations : std::min(asked.max_evaluations, kEvaluationsBeforeLp);
-  loop.recovery_interval = is_last ? asked.recovery_interval : 0;
+  const int interval = component_.graph.num_dimensions() == 3 ? 1 : asked.recovery_interval;
+  loop.recovery_interval = is_last ? interval : 0;
   loop.margin = margin_;
   const double left_s = deadline_.remaining_s();
   if (!is_last && left_s < kInfinity) loop.deadline = deadline_.earlier(left_s / 2);

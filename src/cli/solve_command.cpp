@@ -17,6 +17,7 @@
 #include "cli/progress_log.hpp"
 #include "core/clock.hpp"
 #include "core/option_table.hpp"
+#include "core/shift.hpp"
 #include "nda/io.hpp"
 #include "nda/k_best.hpp"
 #include "nda/marginals.hpp"
@@ -210,6 +211,21 @@ Solution solve_problem(const Problem& problem,
   return solve_k_best(problem, arguments.k, options);
 }
 
+// Why the solve goes without a warm start (docs/hot_starts.md); empty = it does not.
+std::string reason_to_start_cold(const Problem& problem, const Options& options) {
+  if (problem.is_many_to_one()) return {};
+  if (options.proof) return "a proof is asked for";
+  if (options.method == Method::kRelaxation) return "relaxation alone starts at multipliers 0";
+  if (core::has_forbidden_singleton(problem)) return "a singleton is forbidden";
+  return {};
+}
+
+void say_if_cold(const Problem& problem, const Options& options, const std::string& file) {
+  if (file.empty()) return;
+  const std::string reason = reason_to_start_cold(problem, options);
+  if (!reason.empty()) std::cerr << "nda: " << file << ": not used, " << reason << '\n';
+}
+
 WarmStart read_warm_start(const SolveArguments& arguments) {
   if (arguments.warm_start.empty()) return {};
   if (arguments.k > 1)
@@ -261,6 +277,7 @@ int solve_file(const SolveArguments& arguments) {
     return interrupted == 0;
   };
   if (!arguments.proof.empty() && problem.is_many_to_one()) say_no_proof(arguments.proof);
+  say_if_cold(problem, options, arguments.warm_start);
   std::signal(SIGINT, on_interrupt);
   Solution solution = solve_problem(problem, arguments, warm_start, options);
   solution.stats.read_seconds = read_seconds;

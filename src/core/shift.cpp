@@ -55,14 +55,6 @@ double make_penalty(const Problem& problem, const Deadline& deadline) {
   return penalty >= 1 ? std::ceil(penalty) : penalty;
 }
 
-bool has_forbidden_singleton(const Problem& problem) {
-  for (int k = 0; k < problem.num_dimensions(); ++k) {
-    const auto costs = problem.singleton_costs(k);
-    if (std::find(costs.begin(), costs.end(), kInfinity) != costs.end()) return true;
-  }
-  return false;
-}
-
 // Is x = 10^d c within rounding of an integer?  |c| 2^-52 is one rounding of c and one of the
 // product.  Larger ones are steps that no checker of a proof counts.
 bool on_grid(double cost, double scale) {
@@ -86,6 +78,14 @@ bool all_costs(const Problem& problem, const Deadline& deadline, Predicate&& hol
 }
 
 }  // namespace
+
+bool has_forbidden_singleton(const Problem& problem) {
+  for (int k = 0; k < problem.num_dimensions(); ++k) {
+    const auto costs = problem.singleton_costs(k);
+    if (std::find(costs.begin(), costs.end(), kInfinity) != costs.end()) return true;
+  }
+  return false;
+}
 
 Shift make_shift(const Problem& problem, const Deadline& deadline, double most_penalty) {
   require_single_uses(problem, "the cost shift");

@@ -30,6 +30,9 @@ struct Shift {
   std::vector<int> charged;  ///< dimensions with a charge that is not 0
 };
 
+/// Cost: O(indices).
+bool has_forbidden_singleton(const Problem& problem);
+
 /// @param most_penalty  >= 1: the penalty is no higher, even if that is not enough.  High ones hide
 ///                      the digits of the costs.  Where it is above N + 1 times the largest |c|,
 ///                      every arc of an index with a forbidden singleton keeps c' < 0.

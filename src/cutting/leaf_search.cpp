@@ -84,7 +84,8 @@ bool LeafSearch::search_slack(const Master& master, double& cutoff) {
       lower(master, core::make_packing(component_, core::at_positions(arcs, packing)), cutoff);
     if (!found.complete) return false;
     if (budget < std::min(gap, cutoff - slack.base())) continue;
-    if (limits_.proof != nullptr) limits_.proof->search(slack.u(), cutoff, proof_cuts(master.cuts()));
+    if (limits_.proof != nullptr)
+      limits_.proof->search(slack.u(), cutoff, proof_cuts(master.cuts()));
     return true;
   }
 }

@@ -408,13 +408,26 @@ class ManyToOne {
   double heard_cost_ = 0;
 };
 
+// What parts with bounds would not follow is refused, not ignored.
+void require_known_options(const Problem& problem, const Options& options) {
+  const RelaxationOptions& relaxation = options.relaxation;
+  const auto refuse = [&](bool is_asked, const char* who) {
+    if (is_asked) core::require_single_uses(problem, who);
+  };
+  refuse(options.proof, "a proof");
+  refuse(relaxation.set_order != SetOrder::kAsGiven, "option relaxation.set_order");
+  refuse(relaxation.recovery_order != SetOrder::kAsGiven, "option relaxation.recovery_order");
+  refuse(relaxation.alignment != AlignmentRule::kBestValue, "option relaxation.alignment");
+  refuse(relaxation.inner_evaluations > 0, "option relaxation.inner_evaluations");
+}
+
 }  // namespace
 
 Solution solve_many_to_one(const Problem& problem,
                            const Options& options,
                            const WarmStart& warm_start,
                            const SolveOnce& solve_once) {
-  if (options.proof) core::require_single_uses(problem, "a proof");
+  require_known_options(problem, options);
   return ManyToOne(problem, options, warm_start, solve_once).run();
 }
 

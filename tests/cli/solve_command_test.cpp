@@ -300,6 +300,22 @@ TEST(SolveCommand, StartsFromTheLastWindow) {
   }
 }
 
+TEST(SolveCommand, SaysWhereItStartsCold) {
+  const TemporaryFolder folder;
+  write_file(folder / "a.nda", kProblem);
+  write_file(folder / "b.nda", "p nda 3 1 1 1 3\na 1 1 0 -1\na 1 0 1 -1\na 1 0 0 inf\n");
+  ASSERT_EQ(run(folder, "nda solve a.nda --save-warm-start a.warm").code, 0);
+  const std::string warm = " --warm-start a.warm";
+  const auto log = [&](const std::string& file, const std::string& how) {
+    return run(folder, "nda solve --quiet " + file + warm + how).log;
+  };
+  EXPECT_EQ(log("a.nda", ""), "");
+  EXPECT_EQ(log("a.nda", " --proof a.proof"), "nda: a.warm: not used, a proof is asked for\n");
+  EXPECT_EQ(log("a.nda", " --method relaxation"),
+            "nda: a.warm: not used, relaxation alone starts at multipliers 0\n");
+  EXPECT_EQ(log("b.nda", ""), "nda: a.warm: not used, a singleton is forbidden\n");
+}
+
 TEST(SolveCommand, RefusesAWarmStartThatIsNone) {
   const TemporaryFolder folder;
   write_file(folder / "a.nda", kProblem);

@@ -151,6 +151,29 @@ TEST(ManyToOneTiny, RefusesProofsAndAlignments) {
   EXPECT_THROW(solve_k_best(problem, 2, options), InputError);
 }
 
+TEST(ManyToOneTiny, RefusesOptionsThatItWouldIgnore) {
+  ProblemBuilder builder({1, 2});
+  builder.add_arc({1, 1}, -3.0);
+  builder.set_use_bounds(1, 2, {0, 2});
+  const Problem problem = std::move(builder).build();
+  const auto refused = [&](void (*set)(RelaxationOptions&), const std::string& name) {
+    Options options;
+    set(options.relaxation);
+    try {
+      solve(problem, options);
+      ADD_FAILURE() << name;
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.what(),
+                "option relaxation." + name +
+                    " cannot deal with bounds on uses: index 2 of dimension 2 has bounds 0..2");
+    }
+  };
+  refused([](auto& r) { r.set_order = SetOrder::kProbe; }, "set_order");
+  refused([](auto& r) { r.recovery_order = SetOrder::kLargestFirst; }, "recovery_order");
+  refused([](auto& r) { r.alignment = AlignmentRule::kLeastViolation; }, "alignment");
+  refused([](auto& r) { r.inner_evaluations = 1; }, "inner_evaluations");
+}
+
 Problem medium(std::uint64_t seed, int tracks = 40) {
   return support::merged_tracks(tracks, seed);
 }
