@@ -30,7 +30,6 @@ void rank(const Problem& problem, Solution& solution, std::size_t k, const Optio
   std::vector<RankedSolution> ranks = ranker->listed();
   if (ranks.empty()) ranks = solution.solutions;
   if (ranks.size() > k) ranks.resize(k);
-  kbest::sort_by_cost(ranks);
   if (!ranker->has_all() && ranks.size() < k)
     std::ranges::move(ranker->unlisted(0, k - ranks.size(), deadline), std::back_inserter(ranks));
   solution.lists_all = ranker->has_all() && ranks.size() == ranker->listed().size();

@@ -122,11 +122,8 @@ class NearOptimal {
     return u;
   }
 
-  // The first one was proven if anything was.
   void take(std::vector<RankedSolution> ranks) {
     if (ranks.empty()) return;  // all leave something uncovered
-    sort_by_cost(ranks);
-    ranks.front().proven = solution_.proven;
     adopt(problem_, solution_, std::move(ranks));
   }
 

@@ -55,7 +55,8 @@ std::size_t num_proven(std::span<const RankedSolution> ranks) {
 }
 
 void adopt(const Problem& problem, Solution& solution, std::vector<RankedSolution> ranks) {
-  if (!solution.proven) sort_by_cost(ranks);
+  sort_by_cost(ranks);
+  ranks.front().proven = solution.proven;
   take_cost(problem, solution, ranks.front());
   number(ranks);
   solution.solutions = std::move(ranks);

@@ -20,11 +20,11 @@ void number(std::vector<RankedSolution>& ranks);
 /// How many of the first are proven.
 std::size_t num_proven(std::span<const RankedSolution> ranks);
 
-/// Makes `ranks`, which are not empty, the solutions of `solution`, numbered as they come.  Cost
-/// and bound follow the first of them, which may differ by rounding.  Where the first of `solution`
-/// was not proven, the best of them may be better: then they are sorted, and what meets the bound
-/// (to less than a step where costs lie on a grid, else to rounding, docs/numerics.md) is optimal,
-/// unless precision was lost.  Component reports stay as they are.
+/// Makes `ranks`, which are not empty, the solutions of `solution`, best first.  Cost and bound
+/// follow the first of them, which is as proven as that of `solution` and may cost less: by
+/// rounding where that was proven.  Where it was not, what meets the bound (to less than a step
+/// where costs lie on a grid, else to rounding, docs/numerics.md) is optimal, unless precision was
+/// lost.  Component reports stay as they are.
 void adopt(const Problem& problem, Solution& solution, std::vector<RankedSolution> ranks);
 
 }  // namespace nda::kbest

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 #include <vector>
 
@@ -71,6 +72,27 @@ TEST(Ranks, ProvesWhatTheBoundMeets) {
   const Problem real = support::make_problem({2, 2}, {{{1, 1}, -1.0 / 3}, {{1, 2}, -1.0 / 7}});
   EXPECT_TRUE(first_of(real, -1.0 / 3, -1.0 / 3).proven);
   EXPECT_FALSE(first_of(real, -1.0 / 3, -1.0 / 3 - 1e-10).proven);
+}
+
+// Near the best there may be what costs less by rounding and was not listed.
+TEST(Ranks, ListsTheBestFirstThoughItBeatsTheProvenByRoundingAlone) {
+  const double less = std::nextafter(-4.0, -5.0);
+  const Problem problem =
+      support::make_problem({3, 3}, {{{1, 1}, -4}, {{1, 2}, less}, {{2, 2}, -1.0 / 3}});
+  Solution solution;
+  solution.status = Status::kOptimal;
+  solution.proven = true;
+  solution.cost = -4;
+  solution.lower_bound = less;
+  adopt(problem, solution, {{1, -4, true, {{1, 1}}}, {2, less, false, {{1, 2}}}});
+  EXPECT_EQ(solution.cost, less);
+  EXPECT_EQ(solution.status, Status::kOptimal);
+  ASSERT_EQ(solution.solutions.size(), 2u);
+  EXPECT_EQ(solution.solutions[0].cost, less);
+  EXPECT_EQ(solution.solutions[1].cost, -4);
+  for (int r = 0; r < 2; ++r)
+    EXPECT_EQ(solution.solutions[static_cast<std::size_t>(r)].rank, r + 1);
+  EXPECT_TRUE(solution.solutions.front().proven);
 }
 
 }  // namespace
