@@ -42,7 +42,10 @@ void exact(Options& options) {
 // Relaxation and recovery, and nothing else.
 void relaxation_alone(Options& options) {
   options.method = Method::kRelaxation;
-  options.search = {Reductions::kNone, false, false, 0};
+  options.search = {.reductions = Reductions::kNone,
+                    .local_search = false,
+                    .dimensionwise = false,
+                    .kicks_per_index = 0};
   options.ranking.local_search = false;
   RelaxationOptions& relaxation = options.relaxation;
   relaxation.two_first = false;
