@@ -414,7 +414,7 @@ Action declare_solve(CLI::App& parser) {
           "--proof",
           arguments->proof,
           "write why the bound holds, for nda check --proof; compressed where the name ends in "
-          ".gz; what --method exact branches on is not in it")
+          ".gz")
       ->check(file_name());
   parser.add_flag("--json", arguments->json, "print the JSON alone");
   parser
