@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "bnb/branch_and_bound.hpp"
 #include "bnb/proof_log.hpp"
 #include "bnb/slack_search.hpp"
 #include "core/clock.hpp"
@@ -149,6 +151,11 @@ class ComponentSolver {
                       std::span<const double> values,
                       std::span<const double> u) const;
   void branch();
+  bnb::NodeBound bound_node(const core::Component& node,
+                            std::span<const double> warm,
+                            double cutoff);
+  bnb::BranchLimits branch_limits() const;
+  void take_tree(const bnb::SearchResult& result);
   void close_gap();
   Status reason_to_stop() const;
   bool covers_required(const core::Packing& packing) const;
