@@ -8,6 +8,7 @@
 #include "core/certificate_sum.hpp"
 #include "core/double_double.hpp"
 #include "core/part_proof.hpp"
+#include "core/proof_grid.hpp"
 #include "core/use_bounds.hpp"
 #include "nda/proof.hpp"
 
@@ -23,7 +24,6 @@ using core::PartArcs;
 using core::ProofFault;
 
 constexpr std::uint32_t kNowhere = std::numeric_limits<std::uint32_t>::max();
-constexpr double kMostGridSteps = 0x1p50;
 
 // Divides the problem among the parts and adds up what they prove.
 class ProofWalk {
@@ -72,7 +72,7 @@ class ProofWalk {
       throw ProofFault{"the grid is not positive"};
     for_each_cost([&](double cost) {
       const double steps = std::nearbyint(cost / proof_.grid);
-      if (std::abs(steps) > kMostGridSteps ||
+      if (std::abs(steps) > core::kMostGridSteps ||
           std::abs(std::fma(-steps, proof_.grid, cost)) > 0x1p-51 * std::abs(cost))
         throw ProofFault{"a cost is not a multiple of the grid"};
     });

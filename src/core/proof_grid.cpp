@@ -7,11 +7,6 @@
 // are at most as many as indices.
 
 namespace nda::core {
-namespace {
-
-constexpr double kMostSteps = 0x1p50;
-
-}  // namespace
 
 ProofGrid::ProofGrid(double step, const PartArcs& arcs, const std::vector<double>& singletons)
     : step_(step) {
@@ -30,7 +25,7 @@ double ProofGrid::rounded_up(double bound, std::size_t num_indices) const {
   if (!(step_ > 0)) return bound;
   const double error = exact_ ? 0 : 0x1p-50 * static_cast<double>(num_indices) * largest_;
   const double steps = (bound - error) / step_;
-  if (!(std::abs(steps) < kMostSteps)) return bound;
+  if (!(std::abs(steps) < kMostGridSteps)) return bound;
   const double whole = std::ceil(steps - 0x1p-50 * std::abs(steps));
   const double product = whole * step_;
   const double up = exact_ && std::fma(whole, step_, -product) == 0

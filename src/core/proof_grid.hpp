@@ -7,6 +7,9 @@
 
 namespace nda::core {
 
+/// Costs and bounds of more steps of a grid than this are no matter of a grid.
+inline constexpr double kMostGridSteps = 0x1p50;
+
 /// Costs of a part are multiples of a grid, but for the rounding of their terms.
 class ProofGrid {
  public:
