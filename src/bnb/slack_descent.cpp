@@ -190,6 +190,8 @@ bool SlackDescent::give_away_choices(Node& here, OpenSlack node, std::vector<Ope
   for (std::size_t n = here.next + 1; n < here.choices.size(); ++n) {
     const OpenArc choice = here.choices[n];
     if (!(limit(here, choice.reduced) > 0)) break;
+    moves_.look_at_clock();  // each takes a copy of what is left
+    if (moves_.stopped()) break;
     moves_.occupy(choice.arc);
     moves_.take(here, std::span(&choice.arc, 1), limit(here, choice.reduced), rest);
     give(choice.reduced);
