@@ -125,6 +125,13 @@ std::vector<ArcId> arcs_from_original(const Component& component, std::vector<Ar
   return positions_in(component.arc_origin, originals);
 }
 
+std::vector<ArcId> arcs_from_part(const Component& whole,
+                                  const Component& part,
+                                  std::vector<ArcId> arcs) {
+  for (ArcId& a : arcs) a = original_arc(part, a);
+  return arcs_from_original(whole, std::move(arcs));
+}
+
 namespace {
 
 // Calls visit(slot of the whole, slot of the part) for every real index of a part.  Both list the

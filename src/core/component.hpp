@@ -144,6 +144,12 @@ Lists<ArcId> list_by_slot(const Component& component, std::span<const ArcId> arc
 /// The inverse: numbers in `component` of these original arcs, ascending.  All must be there.
 std::vector<ArcId> arcs_from_original(const Component& component, std::vector<ArcId> originals);
 
+/// Numbers in `whole` of arcs of `part`, which was cut out of it, at once or step by step;
+/// ascending.
+std::vector<ArcId> arcs_from_part(const Component& whole,
+                                  const Component& part,
+                                  std::vector<ArcId> arcs);
+
 /// Values by slot of `whole`, restricted to the slots of `part`, which was cut out of it.
 std::vector<double> restrict_slots(const Component& whole,
                                    std::span<const double> values,

@@ -233,8 +233,7 @@ class Rounds {
     }
     result_.rows = std::move(rows_);
     if (component_ != &source_) {
-      for (ArcId& a : live_) a = core::original_arc(*component_, a);
-      live_ = core::arcs_from_original(source_, std::move(live_));
+      live_ = core::arcs_from_part(source_, *component_, std::move(live_));
       if (options_.proof != nullptr) options_.proof->enter(source_);
     }
     result_.live = std::move(live_);

@@ -99,8 +99,7 @@ rows::CutRoundsResult ComponentSolver::cut_on_averages(const Component& core, do
   raise_bound(std::min(result.lower, goal()), "cuts");
   if (close_enough() || deadline_.reached()) return result;
   Packing packing = round(core, core::arcs_from_original(core, std::move(arcs)), values, result.u);
-  for (ArcId& a : packing.arcs) a = core::original_arc(core, a);
-  packing.arcs = core::arcs_from_original(component_, std::move(packing.arcs));
+  packing.arcs = core::arcs_from_part(component_, core, std::move(packing.arcs));
   offer(packing, "cuts");
   return result;
 }
@@ -121,8 +120,7 @@ double ComponentSolver::search_circles(const Component& core,
     const Component& relaxed = point.component();
     Packing packing =
         found != nullptr ? *found : round(relaxed, point.arcs(), point.values(), point.u());
-    for (ArcId& a : packing.arcs) a = core::original_arc(relaxed, a);
-    packing.arcs = core::arcs_from_original(component_, std::move(packing.arcs));
+    packing.arcs = core::arcs_from_part(component_, relaxed, std::move(packing.arcs));
     offer(packing, "branch and cut");
     return goal();
   };

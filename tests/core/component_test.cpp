@@ -196,6 +196,16 @@ TEST(ArcsFromOriginal, InvertsOriginalArc) {
   EXPECT_THAT(arcs_from_original(cut, {}), IsEmpty());
 }
 
+TEST(ArcsFromPart, NamesThemAsTheWholeDoes) {
+  Cutter cutter;
+  const Component whole = support::random_component(3);
+  const Component outer = cutter.cut(whole, std::vector<ArcId>{1, 3, 4, 6});
+  const Component inner = cutter.cut(outer, std::vector<ArcId>{0, 2});
+  EXPECT_THAT(arcs_from_part(outer, inner, {1, 0}), ElementsAre(0, 2));
+  EXPECT_THAT(arcs_from_part(whole, inner, {1, 0}), ElementsAre(1, 4));
+  EXPECT_THAT(arcs_from_part(whole, whole, {5, 2}), ElementsAre(2, 5));
+}
+
 TEST(RestrictSlots, FollowsTheOriginOfEverySlot) {
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
     SCOPED_TRACE(seed);
