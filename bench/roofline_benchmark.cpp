@@ -112,10 +112,10 @@ double bytes_per_arc(int dimensions) {
 }
 
 // Arcs a second if the ports that load were all there is: a cost and a multiplier per dimension as
-// doubles, the indices besides.
+// doubles, the indices besides, those of two arcs at once.
 double load_limit(const Machine& machine, int dimensions) {
   const double s =
-      std::max((1.0 + dimensions) / machine.double_loads, (1.0 + 2.0 * dimensions) / machine.loads);
+      std::max((1.0 + dimensions) / machine.double_loads, (1.0 + 1.5 * dimensions) / machine.loads);
   return 1 / s;
 }
 

@@ -1,5 +1,7 @@
 #include "core/reduced_costs.hpp"
 
+#include "core/loads.hpp"
+
 // Every pass over all arcs computes these sums, so they are computed in one place, block by block:
 // columns are read as streams, multipliers from cache, and what the caller does with the sums comes
 // after, in a loop of its own.  With the number of dimensions fixed at compile time there is no
@@ -26,11 +28,22 @@ template <std::size_t kTerms>
 void subtract(const Term* terms, const double* from, std::size_t first, std::span<double> r) {
   std::array<Term, kTerms> term;
   for (std::size_t k = 0; k < kTerms; ++k) term[k] = {terms[k].index + first, terms[k].u};
-  for (std::size_t n = 0; n < r.size(); ++n) {
+  std::size_t n = 0;
+  for (; n + 1 < r.size(); n += 2) {
     double sum = from[n];
-    for (const Term& t : term) sum -= t.u[t.index[n]];
+    double next = from[n + 1];
+    for (const Term& t : term) {
+      const auto [i, j] = two_indices(t.index + n);
+      sum -= t.u[i];
+      next -= t.u[j];
+    }
     r[n] = sum;
+    r[n + 1] = next;
   }
+  if (n == r.size()) return;
+  double sum = from[n];
+  for (const Term& t : term) sum -= t.u[t.index[n]];
+  r[n] = sum;
 }
 
 using Subtract = void (*)(const Term*, const double*, std::size_t, std::span<double>);

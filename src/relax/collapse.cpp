@@ -4,22 +4,27 @@
 #include <array>
 #include <cstdint>
 #include <numeric>
+#include <utility>
 
+#include "core/loads.hpp"
 #include "core/min_max.hpp"
 #include "core/reduced_costs.hpp"
 
 // Most of the relaxation's time goes into this loop (report, section 5: "the dominant computational
-// part is the evaluation of the relaxed two-dimensional cost coefficients").  Three things keep a
+// part is the evaluation of the relaxed two-dimensional cost coefficients").  Four things keep a
 // processor from loading as fast as it could:
 //   - Which arc attains the minimum.  Every new minimum is a jump that was not foreseen, or a chain
 //     of moves; the assignment takes few of the cells.  So only the minimum is computed, and where
-//     some arcs that hold it begin; cheapest_arc() looks through these where the arc is wanted. The
+//     some arcs that hold it begin; CheapestArcs looks through these where the arc is wanted.  The
 //     report breaks ties by the lexicographically smallest tuple, which is the first arc.
 //   - The end of a cell is not foreseen either.  Cells of a few arcs are therefore not taken one by
 //     one: all arcs pass by, the minimum is forgotten where a cell begins, and is written after
 //     every arc.  Every minimum waits for the one before it, so arcs pass in two rows at a time,
 //     near enough to each other for what is read and written to be one stream in memory.
-//   - Loads: arcs of a cell that agree in their third index share its multiplier.
+//   - Loads: arcs of a cell that agree in their third index share its multiplier, and the indices
+//     of two arcs are loaded at once.
+//   - Waiting for memory: arcs of long cells are asked for some hundred ahead, and those that are
+//     looked through some cells ahead.
 // Reduced costs come out in the same bits whatever the way, as the order of subtractions is always
 // that of the dimensions.
 
@@ -39,6 +44,10 @@ constexpr std::size_t kLongRun = 32;
 constexpr std::size_t kMostMediumRuns = 2000;
 // Arcs that are looked through for one of them.
 constexpr ArcId kBlock = 16;
+// Cells whose arcs are asked for before they are looked through.
+constexpr std::size_t kCellsAhead = 12;
+// How far ahead arcs are asked for; measured.
+constexpr std::size_t kAhead = 512;
 // Arcs that pass by in two rows.
 constexpr std::size_t kPassing = 64;
 
@@ -117,7 +126,10 @@ class Collapse {
       Least best{kInfinity, cells_.first_arc[cell]};
       const ArcId end = cells_.first_arc[cell + 1];
       ArcId a = cells_.first_arc[cell];
-      for (; a + kBlock <= end; a += kBlock) best.improve(least<false>(a, a + kBlock, 0.0), a);
+      for (; a + kBlock <= end; a += kBlock) {
+        prefetch(a + kAhead);
+        best.improve(least<false>(a, a + kBlock, 0.0), a);
+      }
       if (a < end) best.improve(least<false>(a, end, 0.0), a);
       d[cell] = best.value;
       from[cell] = best.from;
@@ -185,6 +197,13 @@ class Collapse {
     d[row.cell] = row.least;
   }
 
+  // The arcs a .. a + kBlock - 1, or thereabouts.
+  void prefetch(std::size_t a) const {
+    core::prefetch(cost_, a);
+    core::prefetch(cost_, a + kBlock / 2);
+    for (std::size_t k = 0; k < count(); ++k) core::prefetch(relaxed_[k].index, a);
+  }
+
   // Over arcs a..end-1; `shared` is the multiplier of the first relaxed dimension if kShared.  Two
   // minima at a time do not wait for one another.
   template <bool kShared>
@@ -192,8 +211,9 @@ class Collapse {
     double even = kInfinity;
     double odd = kInfinity;
     for (; a + 1 < end; a += 2) {
-      even = min_of(even, reduced<kShared>(a, shared));
-      odd = min_of(odd, reduced<kShared>(a + 1, shared));
+      const auto [first, second] = two_reduced<kShared>(a, shared);
+      even = min_of(even, first);
+      odd = min_of(odd, second);
     }
     if (a < end) even = min_of(even, reduced<kShared>(a, shared));
     return min_of(even, odd);
@@ -203,12 +223,29 @@ class Collapse {
   double reduced(ArcId a, double shared) const {
     double r = cost_[a];
     if constexpr (kShared) r -= shared;
-    const std::size_t count = kRelaxed == kAny ? num_relaxed_ : kRelaxed;
-    for (std::size_t k = kShared ? 1 : 0; k < count; ++k) {
+    for (std::size_t k = kShared ? 1 : 0; k < count(); ++k) {
       r -= relaxed_[k].u[relaxed_[k].index[a]];
     }
     return r;
   }
+
+  // Of arcs a and a + 1.
+  template <bool kShared>
+  std::pair<double, double> two_reduced(ArcId a, double shared) const {
+    std::pair<double, double> r(cost_[a], cost_[a + 1]);
+    if constexpr (kShared) {
+      r.first -= shared;
+      r.second -= shared;
+    }
+    for (std::size_t k = kShared ? 1 : 0; k < count(); ++k) {
+      const auto [i, j] = core::two_indices(relaxed_[k].index + a);
+      r.first -= relaxed_[k].u[i];
+      r.second -= relaxed_[k].u[j];
+    }
+    return r;
+  }
+
+  std::size_t count() const { return kRelaxed == kAny ? num_relaxed_ : kRelaxed; }
 
   const Cells& cells_;
   const double* const cost_;
@@ -282,21 +319,41 @@ void collapse(const Component& component,
   }
 }
 
-ArcId cheapest_arc(const Component& component,
-                   std::span<const double> u,
-                   ArcId from,
-                   ArcId end,
-                   double d,
-                   int num_kept) {
+ArcId CheapestArcs::next() {
+  if (at_ + 2 * kCellsAhead < wanted_.size()) prefetch_cell(wanted_[at_ + 2 * kCellsAhead]);
+  if (at_ + kCellsAhead < wanted_.size()) prefetch_arcs(from_[wanted_[at_ + kCellsAhead]]);
+  return find(wanted_[at_++]);
+}
+
+// The arcs of all blocks from `from` on are looked through.
+ArcId CheapestArcs::find(std::uint32_t cell) const {
+  const ArcId end = cells_.first_arc[cell + 1];
+  if (from_[cell] + 1 == end) return from_[cell];
   std::array<double, kBlock> r;
-  for (ArcId a = from; a < end;) {
+  for (ArcId a = from_[cell]; a < end;) {
     const std::span<double> block = std::span(r).first(std::min(kBlock, end - a));
-    core::reduced_costs(component, u, a, block, num_kept);
-    const auto found = std::find(block.begin(), block.end(), d);
+    core::reduced_costs(component_, u_, a, block, cells_.num_kept);
+    const auto found = std::find(block.begin(), block.end(), d_[cell]);
     if (found != block.end()) return a + static_cast<ArcId>(found - block.begin());
     a += static_cast<ArcId>(block.size());
   }
-  return from;
+  return from_[cell];
+}
+
+void CheapestArcs::prefetch_cell(std::uint32_t cell) const {
+  core::prefetch(cells_.first_arc.data(), cell + 1);
+  core::prefetch(from_.data(), cell);
+  core::prefetch(d_.data(), cell);
+}
+
+// The block from arc a on.
+void CheapestArcs::prefetch_arcs(std::size_t a) const {
+  core::prefetch(component_.costs.data(), a);
+  core::prefetch(component_.costs.data(), a + kBlock / 2);
+  for (auto k = static_cast<std::size_t>(cells_.num_kept); k < component_.sizes.size(); ++k) {
+    core::prefetch(component_.indices[k].data(), a);
+    core::prefetch(component_.indices[k].data(), a + kBlock - 1);
+  }
 }
 
 }  // namespace nda::relax

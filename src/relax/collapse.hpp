@@ -47,13 +47,35 @@ void collapse(const core::Component& component,
               std::span<double> d,
               std::span<core::ArcId> from);
 
-/// The first arc of a cell that attains d = d[cell] of the same u: from = from[cell], end is the
-/// end of the cell.  Cost: O(N) per arc between, some dozens as a rule.
-core::ArcId cheapest_arc(const core::Component& component,
-                         std::span<const double> u,
-                         core::ArcId from,
-                         core::ArcId end,
-                         double d,
-                         int num_kept = 2);
+/// The arcs of wanted cells, one after the other: of each the first arc that attains d[cell], after
+/// a collapse with the same u.  Keeps references to everything.  Cost of an arc: O(N) per arc
+/// between from[cell] and it, some dozens as a rule; the memory is asked for ahead.
+class CheapestArcs {
+ public:
+  CheapestArcs(const core::Component& component,
+               const Cells& cells,
+               std::span<const double> u,
+               std::span<const double> d,
+               std::span<const core::ArcId> from,
+               std::span<const std::uint32_t> wanted)
+      : component_(component), cells_(cells), u_(u), d_(d), from_(from), wanted_(wanted) {}
+
+  bool done() const { return at_ == wanted_.size(); }
+  /// That of the next wanted cell.
+  core::ArcId next();
+
+ private:
+  core::ArcId find(std::uint32_t cell) const;
+  void prefetch_cell(std::uint32_t cell) const;
+  void prefetch_arcs(std::size_t a) const;
+
+  const core::Component& component_;
+  const Cells& cells_;
+  std::span<const double> u_;
+  std::span<const double> d_;
+  std::span<const core::ArcId> from_;
+  std::span<const std::uint32_t> wanted_;
+  std::size_t at_ = 0;
+};
 
 }  // namespace nda::relax

@@ -48,7 +48,8 @@ double RelaxedDual::evaluate(std::span<const double> u, std::span<double> subgra
   double value = kept.value;
   for (const double multiplier : u) value += std::min(0.0, multiplier);
   std::fill(subgradient.begin(), subgradient.end(), 0.0);
-  take_cells(subgradient);
+  CheapestArcs arcs(component_, cells_, slot_u_, d_, cell_from_, aligned_cells_);
+  while (!arcs.done()) use(arcs.next(), subgradient);
   value += take_free_arcs(subgradient);
   for (std::size_t j = 0; j < u.size(); ++j) {
     const double uses = -subgradient[j];
@@ -76,14 +77,6 @@ double RelaxedDual::bound() const {
       (dimensions + 2) * (dimensions + 2) * (largest_cost_ + dimensions * largest_u);
   const double error = 0x1p-52 * (additions * std::abs(value_) + terms * term_error);
   return value_ - kept_gap_ - error;
-}
-
-void RelaxedDual::take_cells(std::span<double> subgradient) {
-  for (const std::uint32_t cell : aligned_cells_) {
-    const ArcId end = cells_.first_arc[cell + 1];
-    use(cheapest_arc(component_, slot_u_, cell_from_[cell], end, d_[cell], num_kept()),
-        subgradient);
-  }
 }
 
 // Those of cell (0 .. 0).

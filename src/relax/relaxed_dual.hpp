@@ -82,7 +82,6 @@ class RelaxedDual : public dual::ConcaveFunction {
   const core::Component& component() const { return component_; }
 
  private:
-  void take_cells(std::span<double> subgradient);
   double take_free_arcs(std::span<double> subgradient);
   void use(core::ArcId a, std::span<double> subgradient);
 
