@@ -85,9 +85,9 @@ void SparsePaths::list_wanting(const Phase<View>& phase) {
 }
 
 template <class View>
-bool SparsePaths::bid(const Phase<View>& phase) {
+std::size_t SparsePaths::bid(const Phase<View>& phase) {
   list_wanting(phase);
-  bool all_served = true;
+  std::size_t unserved = 0;
   std::size_t budget = kBidsPerMember * waiting_.size();
   for (std::uint32_t i : waiting_) {
     bool gain = true;
@@ -98,9 +98,9 @@ bool SparsePaths::bid(const Phase<View>& phase) {
       i = outcome.displaced;
       gain = outcome.gain;
     }
-    all_served = all_served && i == kNone;
+    if (i != kNone) ++unserved;
   }
-  return all_served;
+  return unserved;
 }
 
 template <class View>
@@ -203,8 +203,8 @@ void SparsePaths::forget_search() {
   heap_.clear();
 }
 
-template bool SparsePaths::bid(const Phase<RowView>&);
-template bool SparsePaths::bid(const Phase<ColumnView>&);
+template std::size_t SparsePaths::bid(const Phase<RowView>&);
+template std::size_t SparsePaths::bid(const Phase<ColumnView>&);
 template bool SparsePaths::search(const Phase<RowView>&, std::vector<std::uint32_t>&);
 template bool SparsePaths::search(const Phase<ColumnView>&, std::vector<std::uint32_t>&);
 

@@ -23,9 +23,9 @@ class SparsePaths {
   /// See Assign2dSolver::set_stop().
   void set_stop(const std::function<bool()>* stop) { stop_check_.set(stop); }
 
-  /// Bids: cheap, may leave some in want.  @return true if nobody is.
+  /// Bids: cheap, may leave some in want.  @return how many.
   template <class View>
-  bool bid(const Phase<View>& phase);
+  std::size_t bid(const Phase<View>& phase);
 
   /// One search for each member in want, O(A log n) at worst, a few pairs in practice.
   /// @return false if members of `own` cannot all be assigned: `hall` then names a set of them.

@@ -1,6 +1,9 @@
 #include "assign2d/sparse_solver.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
 
 #include "assign2d/start.hpp"
 
@@ -19,6 +22,9 @@ namespace nda::lap {
 namespace {
 
 constexpr int kBidRounds = 10;  // more find little to do
+// What rounding may have added to the offer of a former mate, as part of the numbers in it: prices
+// are right to some bits, and to leave a mate for the sake of one of them is to begin anew.
+constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
 
 // The pair of row i and column j, kNone if there is none; looks at `guess` first.
 std::uint32_t former_pair(const Assign2dProblem& problem,
@@ -42,6 +48,9 @@ std::uint32_t former_pair(const Assign2dProblem& problem,
 void SparseSolver::match_tight_pairs(const Assign2dProblem& problem, Assign2dResult& result) {
   const RowView by_rows{problem.row_start, problem.column, problem.cost};
   const auto offer = [&](std::uint32_t k) { return problem.cost[k] - result.v[problem.column[k]]; };
+  const auto rounding = [&](double least, std::uint32_t k) {
+    return kRounding * (std::abs(least) + std::abs(result.v[problem.column[k]]));
+  };
   for (std::uint32_t i = 0; i < problem.num_rows(); ++i) {
     const double best = by_rows.least_offer(i, result.v);
     const double least = std::min(best, problem.row_outside[i]);
@@ -49,7 +58,7 @@ void SparseSolver::match_tight_pairs(const Assign2dProblem& problem, Assign2dRes
     result.u[i] = least == kInfinity ? 0 : least;
     result.column_of_row[i] = kUnassigned;
     if (least == kInfinity) continue;
-    if (k == kNone || offer(k) != least) {
+    if (k == kNone || offer(k) > least + rounding(least, k)) {
       if (best >= problem.row_outside[i]) continue;
       for (k = problem.row_start[i]; offer(k) != best;) ++k;
     }
@@ -66,17 +75,18 @@ bool SparseSolver::serve(const Assign2dProblem& problem, Assign2dResult& result)
   const Side columns = column_side(problem, result);
   const Phase<RowView> by_rows{
       {problem.row_start, problem.column, problem.cost}, rows, columns, pair_of_row_};
-  bool rows_served = paths_.bid(by_rows);
+  std::size_t unserved = paths_.bid(by_rows);
   const bool columns_served = !anyone_in_want(columns);
-  if (columns_served) return rows_served || paths_.search(by_rows, result.hall_rows);
+  if (columns_served) return unserved == 0 || paths_.search(by_rows, result.hall_rows);
 
   const Phase<ColumnView> by_columns{transpose_.view(problem), columns, rows, pair_of_row_};
-  for (int round = 1; round < kBidRounds && !rows_served; ++round) {
-    if (paths_.bid(by_columns)) break;
-    rows_served = paths_.bid(by_rows);
+  for (int round = 1; round < kBidRounds && unserved > 0; ++round) {
+    if (paths_.bid(by_columns) == 0) break;
+    const std::size_t before = std::exchange(unserved, paths_.bid(by_rows));
+    if (unserved >= before) break;
   }
   if (!paths_.search(by_rows, result.hall_rows)) return false;
-  return paths_.bid(by_columns) || paths_.search(by_columns, result.hall_columns);
+  return paths_.bid(by_columns) == 0 || paths_.search(by_columns, result.hall_columns);
 }
 
 void SparseSolver::do_solve(const Assign2dProblem& problem, Assign2dResult& result, bool warm) {

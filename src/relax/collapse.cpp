@@ -146,11 +146,14 @@ class Collapse {
       const auto middle = static_cast<std::size_t>(std::find(half, begins + end, 1) - begins);
       Row back{std::accumulate(begins + first, begins + middle, front.cell), kInfinity};
       std::size_t n = first;
-      for (std::size_t m = middle; m < end; ++m, ++n) {
-        pass(front, n, d);
-        pass(back, m, d);
+      std::size_t m = middle;
+      for (; m + 1 < end; m += 2, n += 2) pass_twice(front, n, back, m, d);
+      if (m < end) {
+        pass(front, n, reduced<false>(arc(n), 0.0), d);
+        pass(back, m, reduced<false>(arc(m), 0.0), d);
+        ++n;
       }
-      for (; n < middle; ++n) pass(front, n, d);
+      for (; n < middle; ++n) pass(front, n, reduced<false>(arc(n), 0.0), d);
       if (middle < end) front = back;
       first = end;
     }
@@ -187,14 +190,26 @@ class Collapse {
     double least;
   };
 
-  // The n-th arc that is not free, without a jump.
-  void pass(Row& row, std::size_t n, std::span<double> d) const {
+  // The n-th that is not free.
+  ArcId arc(std::size_t n) const { return cells_.num_free() + static_cast<ArcId>(n); }
+
+  // That arc, of reduced cost r, without a jump.
+  void pass(Row& row, std::size_t n, double r, std::span<double> d) const {
     constexpr std::array kForget = {-kInfinity, kInfinity};
     const std::size_t begins = cells_.begins_cell[n];
-    const ArcId a = cells_.num_free() + static_cast<ArcId>(n);
     row.cell += begins;
-    row.least = min_of(max_of(row.least, kForget[begins]), reduced<false>(a, 0.0));
+    row.least = min_of(max_of(row.least, kForget[begins]), r);
     d[row.cell] = row.least;
+  }
+
+  // Two arcs of each row, from n and from m on.
+  void pass_twice(Row& front, std::size_t n, Row& back, std::size_t m, std::span<double> d) const {
+    const auto [first, second] = two_reduced<false>(arc(n), 0.0);
+    const auto [third, fourth] = two_reduced<false>(arc(m), 0.0);
+    pass(front, n, first, d);
+    pass(back, m, third, d);
+    pass(front, n + 1, second, d);
+    pass(back, m + 1, fourth, d);
   }
 
   // The arcs a .. a + kBlock - 1, or thereabouts.
@@ -260,8 +275,7 @@ void collapse_cells(const Component& component,
                     std::span<double> d,
                     std::span<ArcId> from) {
   const Collapse<kRelaxed> ways(component, cells, u);
-  if (!cells.begins_cell.empty()) {
-    std::copy_n(cells.first_arc.begin(), from.size(), from.begin());
+  if (cells.are_short()) {
     ways.by_arcs(d);
   } else if (cells.run_index.empty()) {
     ways.by_cells(d, from);
@@ -321,7 +335,7 @@ void collapse(const Component& component,
 
 ArcId CheapestArcs::next() {
   if (at_ + 2 * kCellsAhead < wanted_.size()) prefetch_cell(wanted_[at_ + 2 * kCellsAhead]);
-  if (at_ + kCellsAhead < wanted_.size()) prefetch_arcs(from_[wanted_[at_ + kCellsAhead]]);
+  if (at_ + kCellsAhead < wanted_.size()) prefetch_arcs(wanted_[at_ + kCellsAhead]);
   return find(wanted_[at_++]);
 }
 
@@ -346,13 +360,15 @@ void CheapestArcs::prefetch_cell(std::uint32_t cell) const {
   core::prefetch(d_.data(), cell);
 }
 
-// The block from arc a on.
-void CheapestArcs::prefetch_arcs(std::size_t a) const {
-  core::prefetch(component_.costs.data(), a);
-  core::prefetch(component_.costs.data(), a + kBlock / 2);
+// The first block that find() looks through.
+void CheapestArcs::prefetch_arcs(std::uint32_t cell) const {
+  const ArcId first = from_[cell];
+  const ArcId last = std::min(first + kBlock, cells_.first_arc[cell + 1]) - 1;
+  for (ArcId a = first; a < last; a += kBlock / 2) core::prefetch(component_.costs.data(), a);
+  core::prefetch(component_.costs.data(), last);
   for (auto k = static_cast<std::size_t>(cells_.num_kept); k < component_.sizes.size(); ++k) {
-    core::prefetch(component_.indices[k].data(), a);
-    core::prefetch(component_.indices[k].data(), a + kBlock - 1);
+    core::prefetch(component_.indices[k].data(), first);
+    core::prefetch(component_.indices[k].data(), last);
   }
 }
 

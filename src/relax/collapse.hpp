@@ -26,6 +26,8 @@ struct Cells {
   std::vector<Index> run_index;            ///< i3 of every run
 
   std::size_t num_cells() const { return first_arc.size() - 1; }
+  /// Whether cells have a few arcs on average.
+  bool are_short() const { return !begins_cell.empty(); }
   /// Number of arcs of cell (0 .. 0): arcs 0..num_free() - 1.
   core::ArcId num_free() const { return first_arc.front(); }
 };
@@ -37,10 +39,10 @@ Cells find_cells(const core::Component& component, int num_kept = 2);
 ///
 ///     d[cell] = min over its arcs of  c'[a] - sum over k >= m of u[slot(k, a)].
 ///
-/// from[cell] is an arc of the cell that has the first that attains d[cell] after it, or is that. u
-/// has num_slots() entries (those of kept dimensions are ignored), the dummies' are 0.  Cost:
-/// O(A N); no allocation.  docs/benchmarks/roofline.md compares it with what the machine can do
-/// for m = 2.
+/// from[cell] is an arc of the cell that has the first that attains d[cell] after it, or is that;
+/// it is not written where cells are short, and may be empty then.  u has num_slots() entries
+/// (those of kept dimensions are ignored), the dummies' are 0.  Cost: O(A N); no allocation.
+/// docs/benchmarks/roofline.md compares it with what the machine can do for m = 2.
 void collapse(const core::Component& component,
               const Cells& cells,
               std::span<const double> u,
@@ -58,7 +60,12 @@ class CheapestArcs {
                std::span<const double> d,
                std::span<const core::ArcId> from,
                std::span<const std::uint32_t> wanted)
-      : component_(component), cells_(cells), u_(u), d_(d), from_(from), wanted_(wanted) {}
+      : component_(component),
+        cells_(cells),
+        u_(u),
+        d_(d),
+        from_(cells.are_short() ? std::span(cells.first_arc) : from),
+        wanted_(wanted) {}
 
   bool done() const { return at_ == wanted_.size(); }
   /// That of the next wanted cell.
@@ -67,7 +74,7 @@ class CheapestArcs {
  private:
   core::ArcId find(std::uint32_t cell) const;
   void prefetch_cell(std::uint32_t cell) const;
-  void prefetch_arcs(std::size_t a) const;
+  void prefetch_arcs(std::uint32_t cell) const;
 
   const core::Component& component_;
   const Cells& cells_;

@@ -28,7 +28,8 @@ struct DualFunction::Assignment {
   std::vector<double> cost;
   std::vector<double> row_outside;
   std::vector<double> column_outside;
-  std::vector<std::uint32_t> pair_cell;    // [pair]: its cell
+  std::vector<std::uint32_t> first_cell;   // [row]: that of its first pair; the others follow
+  std::vector<std::uint32_t> former_pair;  // [row]
   std::vector<std::uint32_t> row_cell;     // [row]: cell (i1, 0) or kNoCell
   std::vector<std::uint32_t> column_cell;  // [column]: cell (0, i2) or kNoCell
 
@@ -40,6 +41,8 @@ struct DualFunction::Assignment {
         solver(make_assign2d_solver(method)),
         row_outside(component.sizes[0], 0.0),
         column_outside(component.sizes[1], 0.0),
+        first_cell(component.sizes[0], 0),
+        former_pair(component.sizes[0], 0),
         row_cell(component.sizes[0], kNoCell),
         column_cell(component.sizes[1], kNoCell) {
     row_start.assign(component.sizes[0] + std::size_t{1}, 0);
@@ -51,9 +54,8 @@ struct DualFunction::Assignment {
       } else if (j == 0) {
         row_cell[i - 1] = cell;
       } else {
-        ++row_start[i];
+        if (row_start[i]++ == 0) first_cell[i - 1] = cell;
         column.push_back(j - 1);
-        pair_cell.push_back(cell);
       }
     }
     for (std::size_t i = 1; i < row_start.size(); ++i) row_start[i] += row_start[i - 1];
@@ -63,8 +65,9 @@ struct DualFunction::Assignment {
 
   // False if it was interrupted.
   bool solve(std::span<const double> d) {
-    for (std::size_t pair = 0; pair < cost.size(); ++pair) cost[pair] = d[pair_cell[pair]];
     for (std::size_t i = 0; i < row_cell.size(); ++i) {
+      const std::size_t size = row_start[i + 1] - row_start[i];
+      std::copy_n(d.begin() + first_cell[i], size, cost.begin() + row_start[i]);
       if (row_cell[i] != kNoCell) row_outside[i] = std::min(0.0, d[row_cell[i]]);
     }
     for (std::size_t j = 0; j < column_cell.size(); ++j) {
@@ -80,12 +83,15 @@ struct DualFunction::Assignment {
     return true;
   }
 
-  // The cell of a pair.
-  std::uint32_t cell(std::uint32_t row, std::uint32_t wanted) const {
-    const auto begin = column.begin() + row_start[row];
-    const auto end = column.begin() + row_start[row + 1];
-    return pair_cell[static_cast<std::size_t>(std::lower_bound(begin, end, wanted) -
-                                              column.begin())];
+  // The cell of a pair, most often the same as the last time.
+  std::uint32_t cell(std::uint32_t row, std::uint32_t wanted) {
+    std::uint32_t& pair = former_pair[row];
+    if (column[pair] != wanted || pair < row_start[row] || pair >= row_start[row + 1]) {
+      const auto begin = column.begin() + row_start[row];
+      const auto end = column.begin() + row_start[row + 1];
+      pair = static_cast<std::uint32_t>(std::lower_bound(begin, end, wanted) - column.begin());
+    }
+    return first_cell[row] + (pair - row_start[row]);
   }
 };
 
@@ -107,7 +113,7 @@ RelaxedDual::KeptValue DualFunction::solve_kept(std::span<const double> costs,
 // Pairs, and the cells of rows and columns that stay out where that pays.
 template <typename Visit>
 void DualFunction::for_each_chosen_cell(const Assign2dResult& answer, Visit&& visit) const {
-  const Assignment& assignment = *assignment_;
+  Assignment& assignment = *assignment_;
   for (std::uint32_t row = 0; row < assignment.row_cell.size(); ++row) {
     if (answer.column_of_row[row] != kUnassigned) {
       visit(assignment.cell(row, static_cast<std::uint32_t>(answer.column_of_row[row])));

@@ -29,7 +29,7 @@ RelaxedDual::RelaxedDual(const Component& component, int num_kept)
       cells_(find_cells(component, num_kept)),
       slot_u_(component.num_slots(), 0.0),
       d_(cells_.num_cells()),
-      cell_from_(cells_.num_cells()) {
+      cell_from_(cells_.are_short() ? 0 : cells_.num_cells()) {
   const auto kept = static_cast<std::size_t>(num_kept);
   first_slot_ = kept < component.sizes.size() ? component.offset[kept]
                                               : static_cast<std::uint32_t>(component.num_slots());
@@ -65,8 +65,9 @@ double RelaxedDual::evaluate(std::span<const double> u, std::span<double> subgra
 
 // All terms of the value are <= 0, so each of its T additions errs by at most 2^-53 |value|.  No
 // partial sum of a reduced cost exceeds L = largest |c'| + N largest |u|, so cells err by N 2^-53
-// L, and by as much again where a shift makes their singletons free; a packing has no more cells
-// than kept indices, and there are the arcs chosen from cell (0 .. 0).  Twice all that.
+// L, and by as much again where a shift makes their singletons free; a sparse assignment takes
+// former mates within 2^-50 of prices, which are no more than L; a packing has no more cells than
+// kept indices, and there are the arcs chosen from cell (0 .. 0).  Twice all that.
 double RelaxedDual::bound() const {
   double largest_u = 0;
   for (const double multiplier : slot_u_) largest_u = std::max(largest_u, std::abs(multiplier));
