@@ -1,14 +1,34 @@
 #include "bounded/relaxed_program.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
+
+#include "lp/cost_scale.hpp"
 
 namespace nda::bounded {
 
 using core::ArcId;
 
+namespace {
+
+// What costs are multiplied by in the linear program.
+double scale_of(const BoundedComponent& component) {
+  double dearest = 0;
+  for (const double cost : component.graph.costs) dearest = std::max(dearest, std::abs(cost));
+  double single = 0;
+  for (const Row& row : component.rows) single = std::max(single, std::abs(row.single));
+  return lp::cost_scale(dearest, single);
+}
+
+}  // namespace
+
 RelaxedProgram::RelaxedProgram(const BoundedComponent& component)
-    : component_(component), row_(component.rows.size(), -1), column_(component.num_arcs(), -1) {
+    : component_(component),
+      scale_(scale_of(component)),
+      row_(component.rows.size(), -1),
+      column_(component.num_arcs(), -1) {
   core::for_each_index(component.graph, [&](std::uint32_t slot, std::size_t, Index) {
     row_[slot] = program_.num_rows();
     program_.add_row({}, component.rows[slot].lo);
@@ -20,7 +40,7 @@ RelaxedProgram::RelaxedProgram(const BoundedComponent& component)
     const std::array<int, 1> index = {row_[slot]};
     constexpr std::array<double, 1> kMore = {1.0};
     constexpr std::array<double, 1> kLess = {-1.0};
-    if (row.lo > 0) program_.add_column({index, kMore}, row.single, row.lo);
+    if (row.lo > 0) program_.add_column({index, kMore}, row.single * scale_, row.lo);
     if (row.hi > row.lo) program_.add_column({index, kLess}, 0.0, row.hi - row.lo);
   });
 }
@@ -34,7 +54,7 @@ void RelaxedProgram::add_arcs(std::span<const ArcId> arcs) {
         component_.graph, a, [&](std::uint32_t slot) { index.push_back(row_[slot]); });
     ones.assign(index.size(), 1.0);
     column_[a] = program_.num_columns();
-    program_.add_column({index, ones}, component_.graph.costs[a], 1.0);
+    program_.add_column({index, ones}, component_.graph.costs[a] * scale_, 1.0);
   }
 }
 
@@ -58,14 +78,14 @@ lp::Outcome RelaxedProgram::solve_primal(const core::Deadline& deadline) {
 }
 
 lp::Outcome RelaxedProgram::solve_dual(const core::Deadline& deadline, double limit) {
-  return program_.solve_dual(deadline, limit, std::numeric_limits<int>::max());
+  return program_.solve_dual(deadline, limit * scale_, std::numeric_limits<int>::max());
 }
 
 std::vector<double> RelaxedProgram::multipliers() const {
   std::vector<double> u(row_.size(), 0.0);
   const std::span<const double> dual = program_.dual();
   for (std::size_t slot = 0; slot < u.size(); ++slot) {
-    if (row_[slot] >= 0) u[slot] = dual[static_cast<std::size_t>(row_[slot])];
+    if (row_[slot] >= 0) u[slot] = dual[static_cast<std::size_t>(row_[slot])] / scale_;
   }
   clamp(component_, u);
   return u;

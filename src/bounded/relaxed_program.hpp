@@ -38,7 +38,9 @@ class RelaxedProgram {
   /// By slot, clamped.
   std::vector<double> multipliers() const;
   /// Of the cut that was added as number c; <= 0.
-  double cut_dual(std::size_t c) const { return std::min(0.0, program_.dual()[num_indices_ + c]); }
+  double cut_dual(std::size_t c) const {
+    return std::min(0.0, program_.dual()[num_indices_ + c]) / scale_;
+  }
   /// How much of an arc the solution uses; 0 of one that is not there.
   double use(core::ArcId a) const {
     return has(a) ? program_.primal()[static_cast<std::size_t>(column_[a])] : 0.0;
@@ -47,6 +49,7 @@ class RelaxedProgram {
  private:
   const BoundedComponent& component_;
   lp::LinearProgram program_;
+  const double scale_;  // costs in the program are so many times those of the component
   std::size_t num_indices_ = 0;
   std::vector<int> row_;     // [slot], -1 of dummies
   std::vector<int> column_;  // [arc], -1 where it is not there

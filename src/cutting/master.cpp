@@ -5,6 +5,7 @@
 
 #include "core/cheapest.hpp"
 #include "cutting/cut_bound.hpp"
+#include "lp/cost_scale.hpp"
 
 // A linear program of some thousand columns stands for millions of arcs: the multipliers of the
 // bundle already tell which ones, so a few rounds of pricing are enough.  Whatever the simplex
@@ -24,17 +25,6 @@ constexpr std::size_t kStartArcsPerIndex = 2;
 constexpr std::size_t kStartArcs = 1000;
 constexpr std::size_t kMostEntering = 6000;
 constexpr double kShrunk = 0.5;
-// The tolerances of the simplex method suit costs of this size.
-constexpr double kSmallest = 1;
-constexpr double kLargest = 1e5;
-constexpr int kScaledExponent = 7;
-constexpr int kLargestExponent = 1000;  // of a scale
-
-// A power of two that brings the dearest cost to such a size.
-double scale_of(double dearest) {
-  if (dearest == 0 || (dearest >= kSmallest && dearest <= kLargest)) return 1;
-  return std::ldexp(1.0, std::min(kScaledExponent - std::ilogb(dearest), kLargestExponent));
-}
 
 }  // namespace
 
@@ -52,7 +42,7 @@ Master::Master(const Component& component, std::vector<ArcId> live, std::span<co
   program_.add_empty_rows(static_cast<int>(component.num_slots()));
   double dearest = 0;
   for (const ArcId a : live_) dearest = std::max(dearest, std::abs(component.costs[a]));
-  scale_ = scale_of(dearest);
+  scale_ = lp::cost_scale(dearest, 2 * dearest);
   for (int slot = 0; slot < static_cast<int>(component.num_slots()); ++slot) {
     const double one = 1;
     program_.add_column({{&slot, 1}, {&one, 1}}, 2 * dearest * scale_, kInfinity);

@@ -13,6 +13,7 @@
 #include "kbest/ranking_progress.hpp"
 #include "kbest/ranks.hpp"
 #include "nda/solve.hpp"
+#include "solve/costs.hpp"
 #include "solve/supervision.hpp"
 
 namespace nda {
@@ -47,6 +48,8 @@ Solution solve_k_best(const Problem& problem, std::size_t k, const Options& opti
   Solution solution = solve(problem, options);
   if (solution.solutions.empty()) return solution;
   if (options.ranking.method != RankingMethod::kExact) {
+    // Where costs overflow no dual function has values.
+    if (pipeline::largest_cost(problem) > pipeline::kLargestCost) return solution;
     kbest::rank_near_optimal(problem, solution, k, options);
   } else if (k > 1) {
     rank(problem, solution, k, options);

@@ -113,6 +113,26 @@ TEST(KBest, BringsNoLostPrecisionBack) {
   EXPECT_EQ(solve_k_best(problem, 5).cost, -1e300);
 }
 
+// Sums of such costs are infinite, and differences of infinities are no numbers.
+TEST(KBest, RanksNothingByAlignmentsWhereCostsOverflow) {
+  ProblemBuilder builder({4, 4, 4});
+  for (Index i = 1; i <= 4; ++i) {
+    for (Index j = 1; j <= 4; ++j) builder.add_arc({i, j, 1 + (i * j) % 4}, -9e306 * i * j);
+  }
+  const Problem problem = std::move(builder).build();
+  for (const RankingMethod method : {RankingMethod::kAlignments, RankingMethod::kMurty}) {
+    Options options;
+    options.method = Method::kRelaxation;
+    options.relaxation.dual_method = DualMethod::kVolume;
+    options.ranking.method = method;
+    const Solution solution = solve_k_best(problem, 5, options);
+    EXPECT_EQ(solution.status, Status::kPrecisionLost);
+    EXPECT_EQ(solution.cost, 0);
+    EXPECT_EQ(num_proven(solution), 0u);
+    EXPECT_THAT(check(problem, solution).faults, IsEmpty());
+  }
+}
+
 TEST(KBest, HasNothingToRankWhereThereIsNoSolution) {
   ProblemBuilder builder({2, 1});
   builder.add_arc({1, 1}, 3);

@@ -88,6 +88,19 @@ TEST_P(ManyToOne, AgreesWithAllSubsets) {
   EXPECT_GT(count.feasible, 400);
 }
 
+// A linear program does not take costs beyond 1e25.
+TEST(ManyToOneCosts, MayHaveAnySize) {
+  BoundedKind kind;
+  kind.integer = false;
+  kind.tight = true;
+  Count count;
+  for (const double size : {0x1p-300, 0x1p-40, 0x1p80, 0x1p300}) {
+    kind.size = size;
+    for (std::uint64_t seed = 0; seed < 20; ++seed) compare(kind, seed, count);
+  }
+  EXPECT_GT(count.feasible, 20);
+}
+
 INSTANTIATE_TEST_SUITE_P(Dimensions, ManyToOne, ::testing::Values(2, 3, 4, 5));
 
 // Track 1 and 2 are certain (no singleton), and the only measurement may be used once.

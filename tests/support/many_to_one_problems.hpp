@@ -34,6 +34,7 @@ struct BoundedKind {
   bool forbidding = false;  ///< some singletons are forbidden
   Index largest = 3;        ///< most indices of a dimension
   bool tight = false;       ///< bounds of 0..1, 1..1 and 1..2 alone, and arcs that pay
+  double size = 1;          ///< all costs are multiplied by it
 };
 
 inline UseBounds random_bounds(core::Random& random, bool tight) {
@@ -76,7 +77,7 @@ inline Problem random_bounded_problem(std::uint64_t seed, const BoundedKind& kin
       double single = random_cost(random, kind.integer, -3, 6);
       if (bounds.hi == UseBounds::kUnlimited) single = std::abs(single);
       if (kind.forbidding && random.below(3) == 0) single = kInfinity;
-      builder.add_arc(tuple, single);
+      builder.add_arc(tuple, single * kind.size);
       builder.set_use_bounds(k, i, bounds);
     }
   }
@@ -87,7 +88,8 @@ inline Problem random_bounded_problem(std::uint64_t seed, const BoundedKind& kin
       real += tuple[k] != 0;
     }
     const double dearest = kind.tight ? 0 : 12;
-    if (real >= 2) builder.add_arc(tuple, random_cost(random, kind.integer, -8, dearest));
+    if (real < 2) continue;
+    builder.add_arc(tuple, random_cost(random, kind.integer, -8, dearest) * kind.size);
   }
   return std::move(builder).build();
 }
