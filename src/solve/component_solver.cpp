@@ -189,10 +189,13 @@ Status ComponentSolver::reason_to_stop() const {
 }
 
 // Where branch and cut did not write down its steps, the multipliers prove the bound, or a search
-// that the checker can do again.
+// that the checker can do again.  Steps that end at an allowed gap may prove less than multipliers
+// that were found on the way.
 void ComponentSolver::finish_proof() {
-  if (proof_->size() > 0) return;
   const bool is_open = state_.certificate < cutoff();
+  if (proof_->size() > 0 && is_open && state_.certificate < state_.lower) return;
+  proof_->cut_back(0);
+  proof_->enter(component_);
   if (is_open && enumerated_) return proof_->search(state_.u, cutoff());
   if (is_open && searched_cliques_) return proof_->cliques({}, cutoff());
   proof_->bound(state_.u);

@@ -104,6 +104,31 @@ TEST(Proof, ShowsWhatCutsOnAveragesProve) {
   EXPECT_GT(num_raised, 50);
 }
 
+// Branching ends at the gap, which multipliers found on the way may have passed.
+TEST(Proof, ShowsWhatIsStatedWhereAGapIsAllowed) {
+  Options options = plain();
+  options.branch.exact_arcs = 0;
+  options.relative_gap = 0.01;
+  options.relaxation.relative_tolerance = 0.1;
+  support::RandomProblemOptions shape;
+  shape.sizes.assign(6, 7);
+  shape.num_arcs = 400;
+  shape.dummy_share = 0.6;
+  shape.singletons = support::SingletonKind::kForbidden;
+  shape.plant = true;
+  shape.costs = support::CostKind::kInteger;
+  int num_raised = 0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE(seed);
+    const Problem problem = support::random_problem(seed, shape);
+    const Solution solution = solve(problem, options);
+    const CheckReport report = check(problem, solution, *solution.proof);
+    EXPECT_TRUE(report.passed()) << report.faults.front();
+    num_raised += solution.stats.bound_by_branching;
+  }
+  EXPECT_GT(num_raised, 20);
+}
+
 bool has_cliques(const Proof& proof) {
   return std::ranges::any_of(proof.parts, [](const ProofPart& part) {
     return std::ranges::any_of(
