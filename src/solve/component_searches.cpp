@@ -18,7 +18,10 @@ namespace {
 
 using core::ArcId;
 
-constexpr int kSweeps = 4;
+// Of coordinate ascent, until no multiplier moves by more than a part of the dearest arc.  What the
+// multipliers leave to a search takes longer than some more sweeps.
+constexpr int kMostSweeps = 80;
+constexpr double kLeastMove = 0x1p-11;
 constexpr std::int64_t kEnumerationNodes = 200000;
 // Better multipliers end what takes longer sooner.
 constexpr double kEnumerationWork = 1e4;
@@ -50,7 +53,7 @@ bnb::SlackLimits short_search() {
 
 }  // namespace
 
-// A few sweeps of coordinate ascent leave little between the multipliers and the packing that they
+// Coordinate ascent leaves little between the multipliers and the packing that they
 // guide to.
 void ComponentSolver::enumerate() {
   state_.method = "enumeration";
@@ -68,8 +71,8 @@ void ComponentSolver::enumerate() {
 }
 
 void ComponentSolver::ascend() {
-  relax::Ascent ascent(component_, core::all_arcs(component_), state_.u);
-  ascent.climb(kSweeps, 0, deadline_);
+  relax::Ascent ascent(component_, core::all_arcs(component_), state_.u, relax::kFastShare);
+  ascent.climb(kMostSweeps, kLeastMove * core::largest_cost(component_), deadline_);
   std::vector<double> u = ascent.u();
   const double certificate = relax::make_feasible(component_, u, deadline_);
   accept_multipliers(std::move(u), certificate, "enumeration");

@@ -36,9 +36,7 @@ constexpr std::size_t kActivePerIndex = 3;
 constexpr std::size_t kActiveShare = 8;
 constexpr std::size_t kNearPerIndex = 1;
 constexpr std::size_t kSample = 250;
-// Ascent goes beyond the middle between the cheapest use and the second, which takes fewer sweeps.
-// It ends after so many, or when no multiplier moves by this share of the largest cost.
-constexpr double kAscentShare = 0.65;
+// Ascent ends after so many sweeps, or when no multiplier moves by this share of the largest cost.
 constexpr int kSweeps = 7;
 constexpr int kMoreSweeps = 30;  // for the arcs that are still open
 constexpr double kLeastMove = 1e-4;
@@ -178,7 +176,7 @@ class Search {
     const std::size_t count =
         std::max(kActivePerIndex * component_.num_indices(), component_.num_arcs() / kActiveShare);
     const std::vector<ArcId> active = cheapest_arcs(prices_.reduced_costs(), count);
-    relax::Ascent ascent(component_, active, prices_.u(), kAscentShare);
+    relax::Ascent ascent(component_, active, prices_.u(), relax::kFastShare);
     ascent.climb(max_sweeps, kLeastMove * core::largest_cost(component_), deadline);
     ascent.tighten();
     prices_.set(ascent.u());

@@ -139,7 +139,7 @@ TEST(CheckCommand, FindsNoOldProofWhereThereIsNoNewOne) {
 // Branching on indices is written down, as branch and cut is; relaxations of three sets are not.
 TEST(CheckCommand, FollowsEveryKindOfBranching) {
   const TemporaryFolder folder;
-  ASSERT_EQ(run(folder, "nda generate groups --targets 6 --scans 5 --seed 1 -o a.nda").code, 0);
+  ASSERT_EQ(run(folder, "nda generate poore-5.1 --arcs 260 --seed 2 -o a.nda").code, 0);
   const std::string solve = "nda solve a.nda -q -o a.json --proof a.proof --method ";
   const std::string check = "nda check a.nda a.json --proof a.proof";
   for (const char* method : {"exact", "auto"}) {
