@@ -53,11 +53,11 @@ bnb::SlackLimits short_search() {
 
 }  // namespace
 
-// Coordinate ascent leaves little between the multipliers and the packing that they
-// guide to.
+// Coordinate ascent leaves little between the multipliers and the packing that they guide to; a hot
+// start has ascended before.
 void ComponentSolver::enumerate() {
   state_.method = "enumeration";
-  if (component_.num_arcs() <= kMostNearArcs) ascend();
+  if (!is_hot_ && component_.num_arcs() <= kMostNearArcs) ascend();
   offer(recovery::dual_greedy(component_, state_.u, deadline_), "greedy");
   if (state_.complete) return;
   bnb::SlackLimits limits;
