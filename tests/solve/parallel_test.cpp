@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <atomic>
 #include <stdexcept>
+#include <thread>
 #include <vector>
+
+#include "core/clock.hpp"
 
 namespace nda::pipeline {
 namespace {
@@ -23,6 +26,18 @@ TEST(ForAll, CallsEveryNumberOnce) {
       EXPECT_TRUE(known);
     }
   }
+}
+
+// Two calls that wait for each other end only where both are at work.
+TEST(ForAll, HasSeveralCallsAtWork) {
+  if (num_workers(2) < 2) GTEST_SKIP() << "one core: no test of threads has more than one thread";
+  const core::Deadline deadline(10);
+  std::atomic<int> begun = 0;
+  for_all(2, 2, [&](std::size_t, std::size_t) {
+    ++begun;
+    while (begun < 2 && !deadline.reached()) std::this_thread::yield();
+    EXPECT_EQ(begun, 2);
+  });
 }
 
 // Each thread gets ascending numbers.
