@@ -66,8 +66,8 @@ double NeighbourhoodSearch::improve(std::vector<std::uint32_t>& best,
   search.deadline = limits.deadline;
   while (work < limits.max_work && best_slack > limits.goal && !limits.deadline.reached()) {
     const double gap = best_slack - std::max(0.0, limits.goal);
-    const auto affordable = static_cast<std::size_t>((limits.max_work - work) / kWorkPerAttempt);
-    const std::size_t count = std::min(at_once, 1 + affordable);
+    const double affordable = 1 + (limits.max_work - work) / kWorkPerAttempt;  // perhaps infinite
+    const auto count = static_cast<std::size_t>(std::min(static_cast<double>(at_once), affordable));
     while (neighbourhoods_.size() < count) neighbourhoods_.emplace_back(problem_, arcs_, state_);
     for (std::size_t n = 0; n < count; ++n)
       neighbourhoods_[n].choose(

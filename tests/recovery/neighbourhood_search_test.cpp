@@ -114,6 +114,13 @@ TYPED_TEST(SlackPackings, AreSearchedUpToTheGoal) {
   EXPECT_EQ(search<TypeParam>(component, found, 2e7, found.cost + kTie).arcs, found.arcs);
 }
 
+TYPED_TEST(SlackPackings, AreTheSameWithoutALimitAndFarBelowIt) {
+  const Component component = large_component(3);
+  const double goal = 0.9 * search<TypeParam>(component, {}, 2e6).cost;
+  EXPECT_EQ(search<TypeParam>(component, {}, kInfinity, goal).arcs,
+            search<TypeParam>(component, {}, 1e15, goal).arcs);
+}
+
 TYPED_TEST(SlackPackings, AreDeterministic) {
   const Component component = large_component(4);
   EXPECT_EQ(search<TypeParam>(component, {}, 1e6).arcs, search<TypeParam>(component, {}, 1e6).arcs);
