@@ -9,17 +9,36 @@
 
 namespace nda::bnb {
 
-void SlackDescent::begin(OpenSlack open) {
-  chosen_ = std::move(open.chosen);
-  first_depth_ = open.depth;
+void SlackDescent::begin(const OpenSlack& open) {
+  chosen_ = open.from->chosen;
+  first_depth_ = open.from->depth;
   first_before_ = open.before;
   depth_ = 0;
   is_done_ = false;
-  Node& root = nodes_[0];
-  root.arcs = std::move(open.arcs);
-  root.rows = std::move(open.rows);
-  root.may_split = true;
+  choose(open);
+  nodes_[0].may_split = true;
   enter(open.before, open.budget);
+}
+
+// Makes the first node what the choice leaves.
+void SlackDescent::choose(const OpenSlack& open) {
+  const OpenBranching& from = *open.from;
+  const std::vector<OpenArc>& choices = from.node.choices;
+  Node& root = nodes_[0];
+  if (choices.empty()) {
+    root.arcs = from.node.arcs;
+    root.rows = from.node.rows;
+  } else if (open.choice == choices.size()) {
+    moves_.leave(from.node, from.row.row, root);
+  } else {
+    const std::uint32_t arc = choices[open.choice].arc;
+    moves_.occupy(arc);
+    moves_.take(from.node, std::span(&arc, 1), open.budget, root);
+    chosen_.push_back(arc);
+    // More arcs may fit into a cut: not in every order.
+    if (!moves_.is_index(from.row.row))
+      moves_.drop_before(root, from.row.row, choices[open.choice]);
+  }
 }
 
 void SlackDescent::run(double max_work) {
@@ -155,53 +174,44 @@ void SlackDescent::receive(Node& here, const Node& child, double slack) {
 }
 
 bool SlackDescent::give_away(std::vector<OpenSlack>& to) {
-  OpenSlack node;
-  node.chosen = chosen_;
+  std::vector<std::uint32_t> chosen = chosen_;
   for (std::size_t d = 0; d < depth_; ++d) {
     Node& here = nodes_[d];
-    node.chosen.insert(node.chosen.end(), here.forced.begin(), here.forced.end());
-    node.depth = first_depth_ + d + 1;
+    chosen.insert(chosen.end(), here.forced.begin(), here.forced.end());
     if (here.stage == Stage::kParts) {
       if (here.next + 1 < here.parts.size()) return false;
-      node.chosen.insert(node.chosen.end(), here.best.begin(), here.best.end());
+      chosen.insert(chosen.end(), here.best.begin(), here.best.end());
     } else if (here.stage == Stage::kChoices) {
-      if (give_away_choices(here, node, to)) return true;
-      node.chosen.push_back(here.choices[here.next].arc);
+      if (give_away_choices(here, chosen, first_depth_ + d + 1, to)) return true;
+      chosen.push_back(here.choices[here.next].arc);
     }
   }
   return false;
 }
 
-// The choices after the one that is being searched.  `node`: what is chosen before all of them.
-bool SlackDescent::give_away_choices(Node& here, OpenSlack node, std::vector<OpenSlack>& to) {
+// The choices after the one that is being searched.  `chosen`: before all of them, which are at
+// `depth`.
+bool SlackDescent::give_away_choices(Node& here,
+                                     const std::vector<std::uint32_t>& chosen,
+                                     std::size_t depth,
+                                     std::vector<OpenSlack>& to) {
   const std::size_t num_before = to.size();
-  SlackNode rest;
-  const auto give = [&](double cost) {
-    to.push_back(node);
-    to.back().arcs = std::move(rest.arcs);
-    to.back().rows = std::move(rest.rows);
-    to.back().before = here.before + here.spent + cost;
-    to.back().budget = limit(here, cost);
+  const auto from = std::make_shared<OpenBranching>();
+  const auto give = [&](std::size_t choice, double cost) {
+    const double left = limit(here, cost);
+    if (left > 0) to.push_back({from, choice, here.before + here.spent + cost, left});
+    return left > 0;
   };
-  const auto drop = [&](std::uint32_t arc) {
-    if (!moves_.is_index(here.row.row)) SlackMoves::drop(here, arc);
-  };
-  drop(here.choices[here.next].arc);
-  for (std::size_t n = here.next + 1; n < here.choices.size(); ++n) {
-    const OpenArc choice = here.choices[n];
-    if (!(limit(here, choice.reduced) > 0)) break;
-    moves_.look_at_clock();  // each takes a copy of what is left
-    if (moves_.stopped()) break;
-    moves_.occupy(choice.arc);
-    moves_.take(here, std::span(&choice.arc, 1), limit(here, choice.reduced), rest);
-    give(choice.reduced);
-    to.back().chosen.push_back(choice.arc);
-    drop(choice.arc);
-  }
-  const double price = here.row.left * here.row.price;
-  if (here.may_leave && limit(here, price) > 0) {
-    moves_.leave(here, here.row.row, rest);
-    give(price);
+  std::size_t n = here.next + 1;
+  while (n < here.choices.size() && give(n, here.choices[n].reduced)) ++n;
+  if (here.may_leave) give(here.choices.size(), here.row.left * here.row.price);
+  if (to.size() > num_before) {
+    from->node.arcs = here.arcs;
+    from->node.rows = here.rows;
+    from->node.choices = here.choices;
+    from->row = here.row;
+    from->chosen = chosen;
+    from->depth = depth;
   }
   here.choices.resize(here.next + 1);
   here.may_leave = false;

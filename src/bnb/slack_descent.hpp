@@ -2,20 +2,28 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "bnb/slack_moves.hpp"
 
 namespace nda::bnb {
 
-/// A search within the slack that somebody else is to do: what is left where some arcs are chosen.
-struct OpenSlack {
-  std::vector<OpenArc> arcs;
-  std::vector<OpenRow> rows;
+/// A node whose choices somebody else is to search: what is left where some arcs are chosen.
+struct OpenBranching {
+  SlackNode node;  ///< its choices are arcs of `row`
+  OpenRow row = {};
   std::vector<std::uint32_t> chosen;
-  double before = 0;      ///< slack of what is chosen
-  double budget = 0;      ///< for the rest
-  std::size_t depth = 0;  ///< in the tree
+  std::size_t depth = 0;  ///< of the choices in the tree
+};
+
+/// One of its choices.  All of them share the node, so that many hold no more than one: what a
+/// choice leaves of it is worked out by whoever searches it.
+struct OpenSlack {
+  std::shared_ptr<const OpenBranching> from;
+  std::size_t choice = 0;  ///< their number = to use none of the row's arcs; without any, all
+  double before = 0;       ///< slack of what is chosen then
+  double budget = 0;       ///< for the rest
 };
 
 /// Depth first search for the packing of least slack, which can be interrupted and can give a part
@@ -25,7 +33,7 @@ class SlackDescent {
   explicit SlackDescent(SlackMoves moves) : moves_(std::move(moves)) {}
 
   /// Starts anew.
-  void begin(OpenSlack open);
+  void begin(const OpenSlack& open);
   /// Goes on until it is done, or its moves have done so much work in all.  Once the moves are
   /// stopped it is soon done, with the best of what it has seen.
   void run(double max_work);
@@ -63,6 +71,7 @@ class SlackDescent {
     std::vector<std::uint32_t> best;  // arcs of the best packing found
   };
 
+  void choose(const OpenSlack& open);
   void enter(double before, double budget);
   void step();
   void open(Node& here);
@@ -72,7 +81,10 @@ class SlackDescent {
   void give_back(double slack);
   void receive(Node& here, const Node& child, double slack);
   double limit(const Node& here, double cost) const;
-  bool give_away_choices(Node& here, OpenSlack node, std::vector<OpenSlack>& to);
+  bool give_away_choices(Node& here,
+                         const std::vector<std::uint32_t>& chosen,
+                         std::size_t depth,
+                         std::vector<OpenSlack>& to);
 
   SlackMoves moves_;
   NodesByDepth<Node> nodes_;

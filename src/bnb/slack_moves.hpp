@@ -167,9 +167,7 @@ class SlackMoves {
     here.choices.clear();
     for_each_open(
         here, row, [&](const OpenArc& arc, std::uint32_t) { here.choices.push_back(arc); });
-    std::sort(here.choices.begin(), here.choices.end(), [](const OpenArc& a, const OpenArc& b) {
-      return a.reduced != b.reduced ? a.reduced < b.reduced : a.arc < b.arc;
-    });
+    std::sort(here.choices.begin(), here.choices.end(), comes_before);
   }
 
   /// What is left of a node when arcs are used that occupy their rows, and `budget` is left; `next`
@@ -208,6 +206,13 @@ class SlackMoves {
     std::erase_if(here.arcs, [&](const OpenArc& other) { return other.arc == arc; });
   }
 
+  /// All choices of a row that are listed before this one.
+  void drop_before(SlackNode& here, std::uint32_t row, const OpenArc& choice) const {
+    std::erase_if(here.arcs, [&](const OpenArc& other) {
+      return comes_before(other, choice) && is_in(other.arc, row);
+    });
+  }
+
  private:
   static constexpr double kStep = 0x1p-30;  // of the budget: a smaller ascent is not worth its time
   static constexpr double kWorkBetweenLooks = 1 << 17;
@@ -241,6 +246,10 @@ class SlackMoves {
     core::Lists<ArcUse> of_row;
     std::vector<std::uint64_t> indices;  // [arc]: its indices, modulo kMarks
   };
+
+  static bool comes_before(const OpenArc& a, const OpenArc& b) {
+    return a.reduced != b.reduced ? a.reduced < b.reduced : a.arc < b.arc;
+  }
 
   bool keeps(std::uint32_t row) const { return free_rows_ == FreeRows::kKeep && is_index(row); }
 

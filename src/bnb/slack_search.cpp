@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <deque>
 #include <iterator>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -58,7 +59,11 @@ struct Searcher {
     const double max_work = descent.moves().work() + more_work;
     descent.moves().limit_nodes(descent.moves().nodes() + more_nodes);
     while (!is_idle()) {
-      if (descent.is_done()) begin_next();
+      if (descent.is_done()) {
+        descent.moves().look_at_clock();  // each begins with a copy of what is left
+        if (descent.moves().stopped()) return;
+        begin_next();
+      }
       descent.run(max_work);
       if (!descent.is_done()) return;
       if (!(descent.slack() < bound)) continue;
@@ -72,7 +77,7 @@ struct Searcher {
     OpenSlack next = std::move(waiting.front());
     waiting.pop_front();
     next.budget = std::min(next.budget, bound - next.before);
-    descent.begin(std::move(next));
+    descent.begin(next);
   }
 
   // With the best of what was seen.
@@ -94,14 +99,10 @@ class SlackSearch {
         bound_(budget + (budget < kInfinity ? kTolerance * budget : 0)) {
     own_limits_.deadline = limits.deadline;
     SlackMoves moves(problem, budget, own_limits_, FreeRows::kDrop);
-    SlackNode root;
-    moves.open(root);
-    OpenSlack whole;
-    whole.arcs = std::move(root.arcs);
-    whole.rows = std::move(root.rows);
-    whole.budget = bound_;
+    const auto whole = std::make_shared<OpenBranching>();
+    moves.open(whole->node);
     searchers_.push_back({SlackDescent(std::move(moves))});
-    searchers_.front().waiting.push_back(std::move(whole));
+    searchers_.front().waiting.push_back({whole, 0, 0, bound_});
     searchers_.front().bound = bound_;
   }
 

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 
+#include "bnb/slack_parts.hpp"
 #include "core/random.hpp"
 #include "nda/proof.hpp"
+#include "support/no_alloc.hpp"
 #include "support/other_orders.hpp"
 #include "support/slack_problems.hpp"
 
@@ -257,6 +259,26 @@ TEST(SlackSearch, DividesWhatFallsApart) {
   EXPECT_TRUE(shared.complete);
   EXPECT_NEAR(shared.slack, result.slack, 1e-9);
   EXPECT_LT(shared.nodes, 30 * kCopies);
+}
+
+// Hundreds of choices, each of which leaves nearly all arcs: those that wait share one node.
+TEST(SlackSearch, HoldsNoCopyOfTheArcsForEveryChoiceThatItGivesAway) {
+  constexpr std::uint32_t kSize = 20;  // of each of three dimensions
+  constexpr std::size_t kArcs = 6000;
+  core::Random random(1);
+  SlackProblem problem(3 * kSize);
+  for (std::uint32_t row = 0; row < 3 * kSize; ++row) problem.add_row(random.uniform(0.5, 1));
+  const auto index = [&](std::uint32_t k) {
+    return RowUse{k * kSize + static_cast<std::uint32_t>(random.below(kSize)), 1};
+  };
+  for (std::size_t a = 0; a < kArcs; ++a)
+    add_arc(problem, random.uniform(0, 1), {index(0), index(1), index(2)});
+  const std::size_t bytes = support::most_bytes_held([&] {
+    const SlackResult result = search_shared(problem, kInfinity, {}, 3e6, {0, 1e4});
+    EXPECT_FALSE(result.complete);
+    EXPECT_GT(result.nodes, 100);
+  });
+  EXPECT_LT(bytes, 100 * kArcs * sizeof(OpenArc));
 }
 
 // A ladder of arcs (i, i) and (i, i + 1): a branching on every rung.

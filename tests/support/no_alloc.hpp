@@ -1,15 +1,19 @@
 #pragma once
 
+#include <malloc.h>
+
 #include <atomic>
 #include <cstddef>
 #include <cstdlib>
 #include <new>
 
-/// Counts allocations.  Replaces operator new, so include it in exactly one source of an
-/// executable.
+/// Counts allocations and their bytes.  Replaces operator new, so include it in exactly one source
+/// of an executable.
 namespace nda::support {
 
 inline std::atomic<std::size_t> num_allocations{0};
+inline std::atomic<std::size_t> live_bytes{0};
+inline std::atomic<std::size_t> peak_live_bytes{0};
 
 /// Calls of operator new during `action`.
 template <class Action>
@@ -19,10 +23,31 @@ std::size_t count_allocations(const Action& action) {
   return num_allocations - before;
 }
 
-inline void* counted_allocation(std::size_t size) {
+/// The most bytes that `action` held at once, single-threaded, beyond those held before.
+template <class Action>
+std::size_t most_bytes_held(const Action& action) {
+  const std::size_t before = live_bytes;
+  peak_live_bytes = before;
+  action();
+  return peak_live_bytes - before;
+}
+
+inline void* counted_malloc(std::size_t size) {
   ++num_allocations;
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  void* memory = std::malloc(size == 0 ? 1 : size);
+  live_bytes += malloc_usable_size(memory);
+  if (live_bytes > peak_live_bytes) peak_live_bytes = live_bytes.load();
+  return memory;
+}
+
+inline void* counted_allocation(std::size_t size) {
+  if (void* memory = counted_malloc(size)) return memory;
   throw std::bad_alloc();
+}
+
+inline void counted_free(void* memory) {
+  live_bytes -= malloc_usable_size(memory);
+  std::free(memory);
 }
 
 }  // namespace nda::support
@@ -35,18 +60,17 @@ void* operator new[](std::size_t size) {
 }
 // What std::stable_sort asks.
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  ++nda::support::num_allocations;
-  return std::malloc(size == 0 ? 1 : size);
+  return nda::support::counted_malloc(size);
 }
 void operator delete(void* memory) noexcept {
-  std::free(memory);
+  nda::support::counted_free(memory);
 }
 void operator delete[](void* memory) noexcept {
-  std::free(memory);
+  nda::support::counted_free(memory);
 }
 void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
+  nda::support::counted_free(memory);
 }
 void operator delete[](void* memory, std::size_t) noexcept {
-  std::free(memory);
+  nda::support::counted_free(memory);
 }
