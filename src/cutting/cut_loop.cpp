@@ -136,7 +136,7 @@ CutLoopEnd run_cut_loop(const core::Component& component,
     keep_most_violated(cuts, std::max(kLeastCuts, component.num_indices() / 5));
     for (const ViolatedCut& violated : cuts) master.add(violated.cut);
   }
-  return CutLoopEnd::kStalled;
+  return CutLoopEnd::kRounds;
 }
 
 }  // namespace nda::cutting

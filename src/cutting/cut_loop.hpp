@@ -44,6 +44,7 @@ enum class CutLoopEnd {
   kSearched,  ///< the same, by enumeration
   kIntegral,  ///< the relaxed point is a packing: the best one of the live arcs
   kStalled,   ///< further cuts gain little
+  kRounds,    ///< that was the last round
   kStopped,   ///< deadline, or numerical trouble
 };
 

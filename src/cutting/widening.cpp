@@ -107,9 +107,15 @@ class Widening {
       raise(point.lower());
       return offer_(point, nullptr);
     };
-    CutLoopEnd end = CutLoopEnd::kStalled;
-    for (std::size_t call = 0; call < kRounds.size() && end == CutLoopEnd::kStalled; ++call) {
-      if (call > 0) loop.cutoff = improve(0);
+    CutLoopEnd end = CutLoopEnd::kRounds;
+    for (std::size_t call = 0; call < kRounds.size() && may_go_on(end); ++call) {
+      if (call > 0) {
+        const double before = cutoff_;
+        loop.cutoff = improve(0);
+        // It would find the same once more.
+        const bool is_harder = cuts_pay() && !loop.thorough;
+        if (end == CutLoopEnd::kStalled && cutoff_ == before && !is_harder) break;
+      }
       loop.max_rounds = kRounds[call];
       loop.thorough = cuts_pay();
       end = run_cut_loop(component_, master_, loop, round);
@@ -121,6 +127,10 @@ class Widening {
     if (limits_.proof != nullptr) proof_size_ = limits_.proof->size();
     return end != CutLoopEnd::kSearched && end != CutLoopEnd::kProven &&
            end != CutLoopEnd::kStopped;
+  }
+
+  static bool may_go_on(CutLoopEnd end) {
+    return end == CutLoopEnd::kStalled || end == CutLoopEnd::kRounds;
   }
 
   // All packings cheaper than `target`.  Returns whether there is more to do.
