@@ -34,7 +34,7 @@ struct OpenNode {
 
 struct BranchAndCutLimits {
   std::int64_t max_nodes = 0;
-  int root_rounds = 200;
+  int root_rounds = 200;  ///< of cuts (CutLoopOptions::max_rounds)
   std::size_t root_patterns = 0;
   std::size_t node_patterns = 4;  ///< of cuts; those over three indices are always looked for
   int node_rounds = 3;

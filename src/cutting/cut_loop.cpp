@@ -102,7 +102,7 @@ CutLoopEnd run_cut_loop(const core::Component& component,
     idle_rounds = 0;
     return thorough = true;
   };
-  for (int round = 0; round < options.max_rounds; ++round) {
+  for (int round = 0; round < std::max(1, options.max_rounds); ++round) {
     const lp::Outcome outcome = master.solve(cutoff, options.deadline);
     if (outcome == lp::Outcome::kCutoff) return CutLoopEnd::kProven;
     if (outcome != lp::Outcome::kOptimal) return CutLoopEnd::kStopped;
@@ -118,6 +118,7 @@ CutLoopEnd run_cut_loop(const core::Component& component,
     master.drop_idle(kMostIdle);
     const Separator separator(component, master.arcs(), master.values());
     if (separator.integral()) return CutLoopEnd::kIntegral;
+    if (options.max_rounds == 0) return CutLoopEnd::kStalled;
     if (gain < options.worthwhile * gap) {
       const bool stalled = stage == last && ++idle_rounds > (thorough ? 0 : kPatience);
       if (stalled && !look_harder()) return CutLoopEnd::kStalled;

@@ -22,7 +22,7 @@ inline constexpr std::size_t kAllPatterns = 1000;
 
 struct CutLoopOptions {
   double cutoff = kInfinity;
-  int max_rounds = 200;
+  int max_rounds = 200;            ///< 0 = no cuts, but the linear program is solved
   std::size_t first_patterns = 0;  ///< of patterns(), beside the cuts over three rows, at first
   std::size_t most_patterns = kAllPatterns;  ///< and when the gain has fallen off
   bool thorough = false;                     ///< look harder for cuts before giving up

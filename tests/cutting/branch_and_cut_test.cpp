@@ -15,12 +15,12 @@ struct Outcome {
   Packing best;
 };
 
-// Branches with hardly any cuts, so that the tree has to do the work.
-Outcome search(const Component& component, double cutoff, std::int64_t max_nodes) {
+// Branches with hardly any cuts, or none at all, so that the tree has to do the work.
+Outcome search(const Component& component, double cutoff, std::int64_t max_nodes, int rounds = 1) {
   Master master(component, all_arcs(component), no_multipliers(component));
   BranchAndCutLimits limits;
   limits.max_nodes = max_nodes;
-  limits.root_rounds = limits.node_rounds = 1;
+  limits.root_rounds = limits.node_rounds = rounds;
   limits.leaf_work = 0;
   Outcome outcome;
   outcome.best.cost = cutoff;
@@ -46,6 +46,16 @@ TEST(BranchAndCut, FindsTheOptimumAndProvesIt) {
     nodes += outcome.result.nodes;
   }
   EXPECT_GT(nodes, 1100);  // some needed branching
+}
+
+TEST(BranchAndCut, NeedsNoCuts) {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    const Component component = fractional_component(seed);
+    const double best = support::best_cost(component);
+    const Outcome outcome = search(component, 1e-6, 1000000, 0);
+    ASSERT_TRUE(outcome.result.complete) << "seed " << seed;
+    ASSERT_NEAR(std::min(0.0, outcome.best.cost), best, 1e-6) << "seed " << seed;
+  }
 }
 
 TEST(BranchAndCut, ItsBoundHoldsWhereverItStops) {
