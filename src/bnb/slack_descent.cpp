@@ -105,9 +105,10 @@ void SlackDescent::next_part(Node& here) {
   enter(here.before + here.spent, here.budget - here.spent);
 }
 
-// What is left of the budget after a choice of this cost.
+// What is left of the budget after a choice of this cost.  Packings that share what was chosen
+// above differ from the best of them by a step as well.
 double SlackDescent::limit(const Node& here, double cost) const {
-  return std::min(here.budget - here.spent, here.least) - cost;
+  return std::min(here.budget - here.spent, here.least - step_) - cost;
 }
 
 void SlackDescent::next_choice(Node& here) {

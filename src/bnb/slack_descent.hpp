@@ -30,7 +30,7 @@ struct OpenSlack {
 /// of what it has not seen yet away.
 class SlackDescent {
  public:
-  explicit SlackDescent(SlackMoves moves) : moves_(std::move(moves)) {}
+  explicit SlackDescent(SlackMoves moves) : moves_(std::move(moves)), step_(moves_.step()) {}
 
   /// Starts anew.
   void begin(const OpenSlack& open);
@@ -87,6 +87,7 @@ class SlackDescent {
                          std::vector<OpenSlack>& to);
 
   SlackMoves moves_;
+  const double step_;  // SlackLimits::step
   NodesByDepth<Node> nodes_;
   std::vector<std::uint32_t> chosen_;
   std::size_t first_depth_ = 0;

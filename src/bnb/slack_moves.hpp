@@ -99,6 +99,7 @@ class SlackMoves {
   void stop() { stopped_ = true; }
   /// Stops after so many nodes in all.
   void limit_nodes(std::int64_t max_nodes) { max_nodes_ = max_nodes; }
+  double step() const { return limits_.step; }
   bool is_index(std::uint32_t row) const { return row < problem_.num_indices(); }
   std::int64_t nodes() const { return nodes_; }
   double work() const { return work_; }

@@ -43,7 +43,8 @@ struct Searcher {
   SlackDescent descent;
   std::deque<OpenSlack> waiting = {};
   double bound = kInfinity;  // what is found is to have less slack
-  bool has_found = false;    // it has, and `bound` is the slack of
+  bool has_found = false;    // it has, a packing of this slack:
+  double slack = kInfinity;
   std::vector<std::uint32_t> arcs = {};
 
   bool is_idle() const { return descent.is_done() && waiting.empty(); }
@@ -67,7 +68,8 @@ struct Searcher {
       descent.run(max_work);
       if (!descent.is_done()) return;
       if (!(descent.slack() < bound)) continue;
-      bound = descent.slack();
+      slack = descent.slack();
+      bound = slack - descent.moves().step();
       has_found = true;
       arcs = descent.arcs();
     }
@@ -98,6 +100,7 @@ class SlackSearch {
         rounds_(rounds),
         bound_(budget + (budget < kInfinity ? kTolerance * budget : 0)) {
     own_limits_.deadline = limits.deadline;
+    own_limits_.step = limits.step;
     SlackMoves moves(problem, budget, own_limits_, FreeRows::kDrop);
     const auto whole = std::make_shared<OpenBranching>();
     moves.open(whole->node);
@@ -181,8 +184,9 @@ class SlackSearch {
       result_.nodes += searcher.descent.moves().nodes();
       result_.work += searcher.descent.moves().work();
       result_.fixing += searcher.descent.moves().fixing();
-      if (!std::exchange(searcher.has_found, false) || !(searcher.bound < bound_)) continue;
-      result_.slack = bound_ = searcher.bound;
+      if (!std::exchange(searcher.has_found, false) || !(searcher.slack < bound_)) continue;
+      result_.slack = searcher.slack;
+      bound_ = searcher.bound;
       result_.arcs = searcher.arcs;
     }
   }

@@ -64,6 +64,9 @@ class SlackProblem {
 struct SlackLimits {
   std::int64_t max_nodes = std::int64_t{1} << 60;
   double max_work = kInfinity;  ///< rows, and arcs times their rows, looked at; counted once a node
+  /// Two packings whose slack is not the same differ by more than this: what is no better than one
+  /// found by more is not looked for.  0 where costs lie on no grid.
+  double step = 0;
   core::Deadline deadline;
   core::ForAll for_all;  ///< of the parts of a long search
 };

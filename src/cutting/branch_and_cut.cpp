@@ -130,6 +130,7 @@ LeafLimits BranchAndCut::leaf_limits() const {
   limits.max_nodes = limits_.max_nodes - num_nodes();
   limits.deadline = limits_.deadline;
   limits.for_all = limits_.for_all;
+  limits.step = limits_.step;
   limits.proof = limits_.proof;
   limits.ranks = limits_.ranks;
   return limits;

@@ -42,6 +42,7 @@ struct BranchAndCutLimits {
   double leaf_work = LeafLimits{}.max_work;  ///< LeafLimits::max_work of a node
   /// Packings are to be cheaper than the best by so much: what a cutoff stands below it.
   double margin = 0;
+  double step = 0;  ///< LeafLimits::step
   core::Deadline deadline;
   core::ForAll for_all;  ///< of searches, and of the nodes of a large tree
   bnb::ProofLog* proof =

@@ -68,6 +68,7 @@ bool LeafSearch::search_slack(const Master& master, double& cutoff) {
   bnb::SlackLimits limits;
   limits.deadline = limits_.deadline;
   limits.for_all = limits_.for_all;
+  limits.step = limits_.step;
   const double few = kFewIndices / static_cast<double>(component_.num_indices());
   double budget = kFirstShare * gap > 0 ? kFirstShare * gap : gap;
   for (double work = 0;; budget *= 2) {

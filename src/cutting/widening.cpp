@@ -95,6 +95,7 @@ class Widening {
     leaf_limits.max_nodes = limits_.max_nodes - result_.nodes;
     leaf_limits.deadline = limits_.deadline;
     leaf_limits.for_all = limits_.for_all;
+    leaf_limits.step = limits_.step;
     leaf_limits.proof = limits_.proof;
     LeafSearch leaf(component_, leaf_limits, 0, offer_);
     leaf.earn(kFirstLeafWork / static_cast<double>(component_.num_indices()));
@@ -156,6 +157,7 @@ class Widening {
     limits.thorough = cuts_pay();
     if (closed_by_cuts() < kWorthwhileAtNodes) limits.node_patterns = 0;
     limits.margin = limits_.margin;
+    limits.step = limits_.step;
     limits.deadline = limits_.deadline;
     limits.for_all = limits_.for_all;
     limits.proof = limits_.proof;

@@ -18,6 +18,7 @@ namespace nda::cutting {
 struct WideningLimits {
   double cutoff = kInfinity;  ///< only packings cheaper than this are looked for
   double margin = 0;          ///< BranchAndCutLimits::margin
+  double step = 0;            ///< LeafLimits::step
   std::int64_t max_nodes = 0;
   std::vector<Cut> cuts;  ///< to begin with
   /// What the relaxation proves without them; -inf: there are none.

@@ -44,6 +44,7 @@ void ComponentSolver::branch_and_cut() {
   }
   cutting::WideningLimits limits;
   limits.margin = std::max(precision_.margin, allowed_gap_);
+  limits.step = precision_.step();
   if (!on_averages) {
     search_circles(core, live, limits);
     return;

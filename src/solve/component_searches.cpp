@@ -113,6 +113,7 @@ void ComponentSolver::search_nearly_free() {
   if (std::exchange(searched_free_at_, state_.certificate) == state_.certificate) return;
   const double largest = core::largest_cost(component_);
   bnb::SlackLimits limits;
+  limits.step = precision_.step();
   limits.deadline = deadline_;
   limits.for_all = for_all_;
   limits.max_work = kFreeWork + kFreeWorkPerIndex * static_cast<double>(component_.num_indices());
@@ -158,6 +159,7 @@ void ComponentSolver::search_near_multipliers() {
 // packing is often nearer to the multipliers, and the search to the first that is found.
 void ComponentSolver::search_gap(bnb::SlackLimits limits, const char* event) {
   const double gap = cutoff() - state_.certificate;
+  limits.step = precision_.step();
   limits.deadline = deadline_;
   std::size_t left = 0;
   for (const double budget : {kFirstShare * gap, gap}) {

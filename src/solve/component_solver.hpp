@@ -31,6 +31,8 @@ struct Precision {
 
   /// The costs lie on a grid so coarse that rounding hides no difference.
   bool on_grid() const { return margin > error; }
+  /// By more than this packings differ that do not cost the same; 0 off a grid.
+  double step() const { return on_grid() ? margin : 0; }
 };
 
 /// error = 2^-50 * indices * largest |c'|, a bound on what any sum of costs or multipliers of the

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "bnb/slack_parts.hpp"
 #include "core/random.hpp"
@@ -205,6 +206,46 @@ TEST(SlackSearch, AgreesWithBruteForceWhenItIsShared) {
   agrees_with_brute_force([](const SlackProblem& problem, double budget, double max_work) {
     return search_shared(problem, budget, {}, max_work);
   });
+}
+
+// Costs are whole, multipliers are not: slacks that differ do so by more than 0.99.
+SlackProblem whole_problem(core::Random& random) {
+  constexpr std::uint32_t kRows = 18;
+  SlackProblem problem(kRows);
+  for (std::uint32_t row = 0; row < kRows; ++row) problem.add_row(random.uniform(0, 3));
+  for (int a = 0; a < 50; ++a) {
+    const auto first = static_cast<std::uint32_t>(random.below(kRows - 6));
+    const auto second = static_cast<std::uint32_t>(first + 1 + random.below(3));
+    const auto third = static_cast<std::uint32_t>(second + 1 + random.below(3));
+    const double price = problem.price(first) + problem.price(second) + problem.price(third);
+    const double cost = std::ceil(-price) + static_cast<double>(random.below(3));
+    add_arc(problem, cost + price, {{first, 1}, {second, 1}, {third, 1}});
+  }
+  return problem;
+}
+
+TEST(SlackSearch, LosesNothingByTheStepOfAGrid) {
+  core::Random random(7);
+  std::int64_t nodes = 0;
+  std::int64_t nodes_by_steps = 0;
+  for (int n = 0; n < 2000; ++n) {
+    const SlackProblem problem = whole_problem(random);
+    const double budget = 1 + static_cast<double>(random.below(40));
+    const SlackResult expected = search(problem, budget);
+    SlackLimits limits;
+    limits.step = 0.99;
+    for (const SlackRounds& rounds : {SlackRounds{}, kShareAtOnce}) {
+      const SlackResult result = search_slack(problem, budget, limits, rounds);
+      ASSERT_TRUE(result.complete) << n;
+      if (expected.slack < kInfinity) {
+        ASSERT_NEAR(result.slack, expected.slack, 1e-9) << n;
+      }
+      ASSERT_EQ(result.slack < kInfinity, expected.slack < kInfinity) << n;
+      if (rounds.first_work > 0) nodes_by_steps += result.nodes;
+    }
+    nodes += expected.nodes;
+  }
+  EXPECT_LT(static_cast<double>(nodes_by_steps), 0.9 * static_cast<double>(nodes));
 }
 
 TEST(SlackSearch, FindsTheSameAloneAndShared) {
