@@ -19,6 +19,55 @@ constexpr double kFirstShare = 0.125;  // of the gap
 // Over many indices a search whose budget is a small part of the gap may only take a part of the
 // credit: what fails early would have failed late.  With more arcs than indices it fails anyway.
 constexpr double kFewIndices = 4000;
+// Where indices are few, what a search takes grows with a high power of the number of arcs that its
+// budget pays for.  So that is what grows from one budget to the next.
+constexpr double kFirstArcsPerIndex = 1.5;
+constexpr double kMoreArcs = 1.25;
+constexpr double kLeastWider = 1.25;  // times the budget before
+constexpr std::size_t kMostArcsPerIndex = 20;
+constexpr double kSame = 1e-6;  // of the gap: reduced costs that differ by less are the same
+
+// The budgets of searches within a gap, from small to large.
+class Budgets {
+ public:
+  Budgets(const core::Component& component, const MasterSlack& slack, double gap)
+      : gap_(gap), num_indices_(static_cast<double>(component.num_indices())) {
+    if (num_indices_ > kFewIndices) return;
+    for (const ArcId a : slack.affordable(gap)) reduced_.push_back(slack.reduced(a));
+    const std::size_t most = kMostArcsPerIndex * component.num_indices();
+    if (reduced_.size() > most) {
+      std::ranges::nth_element(reduced_, reduced_.begin() + static_cast<std::ptrdiff_t>(most));
+      reduced_.resize(most);
+    }
+    std::ranges::sort(reduced_);
+  }
+
+  double first() const {
+    const double part = kFirstShare * gap_;
+    if (!(part > 0 && part < kInfinity)) return gap_;
+    return std::min(part, paying_for(kFirstArcsPerIndex * num_indices_));
+  }
+
+  double after(double budget) const {
+    const auto end = std::ranges::lower_bound(reduced_, budget);
+    const double wider = paying_for(kMoreArcs * static_cast<double>(end - reduced_.begin()));
+    return std::min(gap_, wider < kInfinity ? std::max(kLeastWider * budget, wider) : 2 * budget);
+  }
+
+ private:
+  // The least that pays for so many arcs and all that cost the same; infinite where no arc costs
+  // more.
+  double paying_for(double num_arcs) const {
+    if (num_arcs >= static_cast<double>(reduced_.size())) return kInfinity;
+    const double last = reduced_[static_cast<std::size_t>(num_arcs)];
+    const auto dearer = std::ranges::upper_bound(reduced_, last + kSame * gap_);
+    return dearer == reduced_.end() ? kInfinity : *dearer;
+  }
+
+  const double gap_;
+  const double num_indices_;
+  std::vector<double> reduced_;  // ascending
+};
 
 std::vector<ArcId> allowed(const Master& master) {
   std::vector<ArcId> arcs;
@@ -70,9 +119,12 @@ bool LeafSearch::search_slack(const Master& master, double& cutoff) {
   limits.for_all = limits_.for_all;
   limits.step = limits_.step;
   const double few = kFewIndices / static_cast<double>(component_.num_indices());
-  double budget = kFirstShare * gap > 0 ? kFirstShare * gap : gap;
-  for (double work = 0;; budget *= 2) {
-    failed_budget_ = budget = std::min(gap, budget);
+  const Budgets budgets(component_, slack, gap);
+  double seen = -kInfinity;  // what has less slack is known
+  double budget = budgets.first();
+  for (double work = 0; seen < std::min(gap, cutoff - slack.base());
+       budget = budgets.after(budget)) {
+    failed_budget_ = budget;
     limits.max_work = credit_ * std::min(1.0, few * std::sqrt(budget / gap)) - work;
     limits.max_nodes = limits_.max_nodes - nodes_;
     const std::vector<ArcId> arcs = slack.affordable(budget);
@@ -84,12 +136,13 @@ bool LeafSearch::search_slack(const Master& master, double& cutoff) {
     fixing_ += found.fixing;
     for (const std::vector<std::uint32_t>& packing : found.packings)
       lower(master, core::make_packing(component_, core::at_positions(arcs, packing)), cutoff);
-    if (!found.complete) return false;
-    if (budget < std::min(gap, cutoff - slack.base())) continue;
-    if (limits_.proof != nullptr)
-      limits_.proof->search(slack.u(), cutoff, proof_cuts(master.cuts()));
-    return true;
+    if (found.complete) seen = budget;
+    // Even a search that was cut short may have found what the one before it is enough for.
+    const bool is_enough = limits_.ranks == nullptr && seen >= cutoff - slack.base();
+    if (!found.complete && !is_enough) return false;
   }
+  if (limits_.proof != nullptr) limits_.proof->search(slack.u(), cutoff, proof_cuts(master.cuts()));
+  return true;
 }
 
 LeafFinds LeafSearch::list(const bnb::SlackProblem& problem,

@@ -35,9 +35,6 @@ constexpr double kOpen = 8;
 // are few.
 constexpr double kLeastPauseWork = 1e7;
 constexpr double kPauseShare = 0.5;
-// A search within the slack often ends what has few indices, whatever the gap: the first one may
-// take longer there, by this work over the number of indices.
-constexpr double kFirstLeafWork = 4e8;
 // A sixteenth of what a checker does for a proof, since the search may take that many times as
 // long.
 constexpr double kMostCoverWork = 1e9;
@@ -98,7 +95,7 @@ class Widening {
     leaf_limits.step = limits_.step;
     leaf_limits.proof = limits_.proof;
     LeafSearch leaf(component_, leaf_limits, 0, offer_);
-    leaf.earn(kFirstLeafWork / static_cast<double>(component_.num_indices()));
+    leaf.earn(limits_.first_leaf_work / static_cast<double>(component_.num_indices()));
     loop.leaf = &leaf;
     const auto round = [&](const Master& point) {
       if (result_.lower == -kInfinity) {
