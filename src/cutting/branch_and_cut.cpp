@@ -131,6 +131,7 @@ LeafLimits BranchAndCut::leaf_limits() const {
   limits.deadline = limits_.deadline;
   limits.for_all = limits_.for_all;
   limits.step = limits_.step;
+  limits.is_dense = limits_.is_dense;
   limits.proof = limits_.proof;
   limits.ranks = limits_.ranks;
   return limits;

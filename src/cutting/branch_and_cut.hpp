@@ -42,7 +42,8 @@ struct BranchAndCutLimits {
   double leaf_work = LeafLimits{}.max_work;  ///< LeafLimits::max_work of a node
   /// Packings are to be cheaper than the best by so much: what a cutoff stands below it.
   double margin = 0;
-  double step = 0;  ///< LeafLimits::step
+  double step = 0;        ///< LeafLimits::step
+  bool is_dense = false;  ///< LeafLimits::is_dense
   core::Deadline deadline;
   core::ForAll for_all;  ///< of searches, and of the nodes of a large tree
   bnb::ProofLog* proof =

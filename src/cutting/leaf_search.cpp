@@ -19,7 +19,7 @@ constexpr double kFirstShare = 0.125;  // of the gap
 // Over many indices a search whose budget is a small part of the gap may only take a part of the
 // credit: what fails early would have failed late.  With more arcs than indices it fails anyway.
 constexpr double kFewIndices = 4000;
-// Where indices are few, what a search takes grows with a high power of the number of arcs that its
+// In dense components what a search takes grows with a high power of the number of arcs that its
 // budget pays for.  So that is what grows from one budget to the next.
 constexpr double kFirstArcsPerIndex = 1.5;
 constexpr double kMoreArcs = 1.25;
@@ -30,9 +30,9 @@ constexpr double kSame = 1e-6;  // of the gap: reduced costs that differ by less
 // The budgets of searches within a gap, from small to large.
 class Budgets {
  public:
-  Budgets(const core::Component& component, const MasterSlack& slack, double gap)
+  Budgets(const core::Component& component, const MasterSlack& slack, double gap, bool is_dense)
       : gap_(gap), num_indices_(static_cast<double>(component.num_indices())) {
-    if (num_indices_ > kFewIndices) return;
+    if (!is_dense) return;
     for (const ArcId a : slack.affordable(gap)) reduced_.push_back(slack.reduced(a));
     const std::size_t most = kMostArcsPerIndex * component.num_indices();
     if (reduced_.size() > most) {
@@ -119,7 +119,7 @@ bool LeafSearch::search_slack(const Master& master, double& cutoff) {
   limits.for_all = limits_.for_all;
   limits.step = limits_.step;
   const double few = kFewIndices / static_cast<double>(component_.num_indices());
-  const Budgets budgets(component_, slack, gap);
+  const Budgets budgets(component_, slack, gap, limits_.is_dense);
   double seen = -kInfinity;  // what has less slack is known
   double budget = budgets.first();
   for (double work = 0; seen < std::min(gap, cutoff - slack.base());

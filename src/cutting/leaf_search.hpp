@@ -49,6 +49,8 @@ struct LeafLimits {
   double max_work = 1e6;       ///< of searches (bnb::SlackLimits) for every call; 0 = none
   std::int64_t max_nodes = 0;  ///< of all searches
   double step = 0;             ///< bnb::SlackLimits::step
+  /// Most tuples are arcs: budgets widen by the arcs they pay for.
+  bool is_dense = false;
   core::Deadline deadline;
   core::ForAll for_all;              ///< of the parts of a search
   bnb::ProofLog* proof = nullptr;    ///< where to write searches down

@@ -35,6 +35,11 @@ constexpr double kOpen = 8;
 // are few.
 constexpr double kLeastPauseWork = 1e7;
 constexpr double kPauseShare = 0.5;
+// A search within the slack often ends what has few indices, whatever the gap: the first one may
+// take longer there, by this work over the number of indices.  In dense components cuts close
+// little, and ten times that still takes less time than a tree.
+constexpr double kFirstLeafWork = 4e8;
+constexpr double kFirstDenseLeafWork = 4e9;
 // A sixteenth of what a checker does for a proof, since the search may take that many times as
 // long.
 constexpr double kMostCoverWork = 1e9;
@@ -93,9 +98,11 @@ class Widening {
     leaf_limits.deadline = limits_.deadline;
     leaf_limits.for_all = limits_.for_all;
     leaf_limits.step = limits_.step;
+    leaf_limits.is_dense = limits_.is_dense;
     leaf_limits.proof = limits_.proof;
     LeafSearch leaf(component_, leaf_limits, 0, offer_);
-    leaf.earn(limits_.first_leaf_work / static_cast<double>(component_.num_indices()));
+    leaf.earn((limits_.is_dense ? kFirstDenseLeafWork : kFirstLeafWork) /
+              static_cast<double>(component_.num_indices()));
     loop.leaf = &leaf;
     const auto round = [&](const Master& point) {
       if (result_.lower == -kInfinity) {
@@ -155,6 +162,7 @@ class Widening {
     if (closed_by_cuts() < kWorthwhileAtNodes) limits.node_patterns = 0;
     limits.margin = limits_.margin;
     limits.step = limits_.step;
+    limits.is_dense = limits_.is_dense;
     limits.deadline = limits_.deadline;
     limits.for_all = limits_.for_all;
     limits.proof = limits_.proof;

@@ -15,19 +15,12 @@
 
 namespace nda::cutting {
 
-/// A search within the slack often ends what has few indices, whatever the gap: the first one may
-/// take longer there, by this work over the number of indices.  Where most tuples are arcs and cuts
-/// close little, ten times that still takes less time than a tree.
-inline constexpr double kFirstLeafWork = 4e8;
-inline constexpr double kFirstDenseLeafWork = 4e9;
-
 struct WideningLimits {
   double cutoff = kInfinity;  ///< only packings cheaper than this are looked for
   double margin = 0;          ///< BranchAndCutLimits::margin
   double step = 0;            ///< LeafLimits::step
   std::int64_t max_nodes = 0;
-  /// Of the first search within the slack, beside LeafLimits::max_work: over the number of indices.
-  double first_leaf_work = kFirstLeafWork;
+  bool is_dense = false;  ///< LeafLimits::is_dense
   std::vector<Cut> cuts;  ///< to begin with
   /// What the relaxation proves without them; -inf: there are none.
   double lower_without_cuts = -kInfinity;

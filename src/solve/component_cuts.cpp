@@ -45,8 +45,7 @@ void ComponentSolver::branch_and_cut() {
   cutting::WideningLimits limits;
   limits.margin = std::max(precision_.margin, allowed_gap_);
   limits.step = precision_.step();
-  if (recovery::DimensionwiseSearch::suits(component_))
-    limits.first_leaf_work = cutting::kFirstDenseLeafWork;
+  limits.is_dense = recovery::DimensionwiseSearch::suits(component_);
   if (!on_averages) {
     search_circles(core, live, limits);
     return;
