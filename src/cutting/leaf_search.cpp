@@ -14,7 +14,6 @@ namespace {
 using core::ArcId;
 
 constexpr double kShrunk = 0.75;
-constexpr double kMoreCredit = 4;      // of what failed
 constexpr double kFirstShare = 0.125;  // of the gap
 // Over many indices a search whose budget is a small part of the gap may only take a part of the
 // credit: what fails early would have failed late.  With more arcs than indices it fails anyway.
@@ -95,7 +94,7 @@ bool LeafSearch::is_worth_trying(const Master& master, double cutoff) const {
   const double gap = cutoff - master.lower();
   return gap <= kShrunk * failed_gap_ ||
          master.lower() - failed_lower_ >= (1 - kShrunk) * failed_budget_ ||
-         credit_ >= kMoreCredit * failed_work_;
+         credit_ >= 2 * failed_work_;
 }
 
 bool LeafSearch::operator()(const Master& master, double& cutoff) {

@@ -63,7 +63,7 @@ struct LeafLimits {
 /// with: the budget is doubled until the best packing is within.  Where multipliers stay bad,
 /// covers by cliques (bnb/clique_search.hpp) may do, if arcs are few.  Tries again when a good part
 /// of what failed is gone, or when what it may do, which adds up over calls, pivots and separation,
-/// is four times as much.
+/// has doubled.
 class LeafSearch {
  public:
   /// @param pivots        of the master before the node.
