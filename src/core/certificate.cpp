@@ -70,19 +70,42 @@ class ReducedCosts {
   // Those that plain arithmetic does not see to be positive, whose n rounding errors are below
   // 2^-53 times the sum of all terms in size each.
   void find_doubtful(std::size_t first, std::size_t count) {
-    std::copy_n(costs_ + first, count, high_.begin());
-    for (std::size_t k = 0; k + 1 < num_; k += 2) {  // two at a time: half the stores
-      for (std::size_t n = 0; n < count; ++n)
-        high_[n] -= multiplier(k, first + n) + multiplier(k + 1, first + n);
+    const double* from = costs_ + first;
+    std::size_t k = 0;
+    for (; k + 4 <= num_; k += 4) from = subtract_rounded<4>(from, k, first, count);
+    if (num_ - k >= 2) {
+      from = subtract_rounded<2>(from, k, first, count);
+      k += 2;
     }
-    for (std::size_t n = 0; n < count && num_ % 2 == 1; ++n)
-      high_[n] -= multiplier(num_ - 1, first + n);
+    if (k < num_) subtract_rounded<1>(from, k, first, count);
     const double share = static_cast<double>(num_ + 1) * 0x1p-51;
     count_ = 0;
     for (std::size_t n = 0; n < count; ++n) {  // without a jump
       arcs_[count_] = first + n;
       count_ += !(high_[n] > share * (std::abs(costs_[first + n]) + most_size_));
     }
+  }
+
+  // Writes high_ = `from` - the multipliers of some dimensions from k on: several at a time, as
+  // every pass stores and loads.
+  template <std::size_t kDimensions>
+  const double* subtract_rounded(const double* from,
+                                 std::size_t k,
+                                 std::size_t first,
+                                 std::size_t count) {
+    std::array<const Index*, kDimensions> index;
+    std::array<const double*, kDimensions> u;
+    for (std::size_t d = 0; d < kDimensions; ++d) {
+      index[d] = columns_[k + d] + first;
+      u[d] = multipliers_[k + d];
+    }
+    double* const high = high_.data();
+    for (std::size_t n = 0; n < count; ++n) {
+      double sum = from[n];
+      for (std::size_t d = 0; d < kDimensions; ++d) sum -= u[d][index[d][n]];
+      high[n] = sum;
+    }
+    return high;
   }
 
   void add_negative_to(core::CertificateSum& sum) {
