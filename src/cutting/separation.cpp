@@ -22,7 +22,8 @@ constexpr double kIntegral = 1e-6;
 constexpr double kConvex = 0.02;
 constexpr double kTie = 1e-12;
 constexpr int kSweeps = 4;
-constexpr std::size_t kPatience = 12;
+constexpr std::size_t kPatience = 50;
+constexpr std::size_t kShortPatience = 12;  // where rows are few
 constexpr std::size_t kEnough = 150;
 constexpr double kNoise = 0.5;
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
@@ -248,7 +249,8 @@ std::vector<ViolatedCut> Separator::search(const Pattern& pattern,
   std::vector<std::uint32_t> seeds(num_rows());
   std::iota(seeds.begin(), seeds.end(), 0u);
   core::shuffle(seeds, random_);
-  const std::size_t patience = (kPatience + seeds.size() / 8) * effort.patience;
+  const std::size_t least = seeds.size() <= kFewRows ? kShortPatience : kPatience;
+  const std::size_t patience = (least + seeds.size() / 8) * effort.patience;
   const std::size_t enough = kEnough + seeds.size() / 4;
   std::size_t fruitless = 0;
   for (std::size_t k = 0; k < effort.starts * seeds.size(); ++k) {

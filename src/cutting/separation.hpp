@@ -12,6 +12,9 @@
 
 namespace nda::cutting {
 
+/// Of so many rows separation soon has looked at all sets that may give a cut.
+inline constexpr std::size_t kFewRows = 128;
+
 /// A cut and by how much a point violates it.
 struct ViolatedCut {
   Cut cut;

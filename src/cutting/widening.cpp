@@ -5,6 +5,7 @@
 
 #include "cutting/cut_loop.hpp"
 #include "cutting/leaf_search.hpp"
+#include "cutting/separation.hpp"
 
 // A tree grows exponentially with the distance between its root's bound and its cutoff, so a cutoff
 // that is too high costs more than all circles before it: what iterative deepening is to games
@@ -117,9 +118,11 @@ class Widening {
       if (call > 0) {
         const double before = cutoff_;
         loop.cutoff = improve(0);
-        // It would find the same once more.
-        const bool is_harder = cuts_pay() && !loop.thorough;
-        if (end == CutLoopEnd::kStalled && cutoff_ == before && !is_harder) break;
+        // It would find the same once more, but where rows are so many that few of their sets were
+        // looked at.
+        const bool is_other = cutoff_ != before || (cuts_pay() && !loop.thorough) ||
+                              component_.num_indices() > kFewRows;
+        if (end == CutLoopEnd::kStalled && !is_other) break;
       }
       loop.max_rounds = kRounds[call];
       loop.thorough = cuts_pay();

@@ -41,7 +41,7 @@ constexpr std::size_t kGrowth = 4;      // from pass to pass, at most
 std::size_t first_pass(std::size_t listed, std::size_t planned) {
   const std::size_t least = std::max(kFirstPass, listed + 1);
   std::size_t count = planned;
-  while (count / kGrowth >= least) count = (count + kGrowth - 1) / kGrowth;
+  while (count / kGrowth >= least) count = count / kGrowth + (count % kGrowth == 0 ? 0 : 1);
   return count;
 }
 

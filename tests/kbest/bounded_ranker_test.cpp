@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 #include <vector>
 
@@ -73,6 +74,22 @@ TEST(BoundedKBest, AgreesWithAllSubsets) {
     if (HasFailure()) return;
   }
   EXPECT_GT(ranked, 2000);
+}
+
+// More than any number of passes could plan for.
+TEST(BoundedKBest, ListsAllWhereTheLargestNumberIsAskedFor) {
+  const std::size_t largest = std::numeric_limits<std::size_t>::max();
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    SCOPED_TRACE(seed);
+    const Problem problem = small_problem(seed);
+    const std::vector<double> all = costs_of_all_choices(problem);
+    if (all.empty()) continue;
+    for (std::size_t below = 0; below < 5; ++below) {
+      const Solution solution = solve_k_best(problem, largest - below);
+      EXPECT_TRUE(solution.lists_all);
+      EXPECT_THAT(costs_of(solution.solutions), Pointwise(DoubleNear(kTie), all));
+    }
+  }
 }
 
 // One after the other, to the last.
