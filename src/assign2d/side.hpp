@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -12,6 +13,22 @@ namespace nda::lap {
 
 /// No member, no pair.
 inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+/// The pair of a row and a column of a problem's rows, kNone if there is none; looks at `guess`
+/// first, any number.
+inline std::uint32_t find_pair(std::span<const std::uint32_t> row_start,
+                               std::span<const std::uint32_t> column,
+                               std::uint32_t row,
+                               std::uint32_t wanted,
+                               std::uint32_t guess) {
+  const std::uint32_t first = row_start[row];
+  const std::uint32_t last = row_start[row + 1];
+  if (guess >= first && guess < last && column[guess] == wanted) return guess;
+  const auto end = column.begin() + last;
+  const auto found = std::lower_bound(column.begin() + first, end, wanted);
+  if (found == end || *found != wanted) return kNone;
+  return static_cast<std::uint32_t>(found - column.begin());
+}
 
 /// Rows or columns: what both phases of a two-sided algorithm need of a side.
 ///

@@ -26,23 +26,6 @@ constexpr int kBidRounds = 10;  // more find little to do
 // are right to some bits, and to leave a mate for the sake of one of them is to begin anew.
 constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
 
-// The pair of row i and column j, kNone if there is none; looks at `guess` first.
-std::uint32_t former_pair(const Assign2dProblem& problem,
-                          std::uint32_t i,
-                          std::int32_t j,
-                          std::uint32_t guess) {
-  const std::uint32_t begin = problem.row_start[i];
-  const std::uint32_t end = problem.row_start[i + 1];
-  if (j == kUnassigned) return kNone;
-  if (guess >= begin && guess < end && static_cast<std::int32_t>(problem.column[guess]) == j) {
-    return guess;
-  }
-  for (std::uint32_t k = begin; k < end; ++k) {
-    if (static_cast<std::int32_t>(problem.column[k]) == j) return k;
-  }
-  return kNone;
-}
-
 }  // namespace
 
 void SparseSolver::match_tight_pairs(const Assign2dProblem& problem, Assign2dResult& result) {
@@ -54,7 +37,13 @@ void SparseSolver::match_tight_pairs(const Assign2dProblem& problem, Assign2dRes
   for (std::uint32_t i = 0; i < problem.num_rows(); ++i) {
     const double best = by_rows.least_offer(i, result.v);
     const double least = std::min(best, problem.row_outside[i]);
-    std::uint32_t k = former_pair(problem, i, result.column_of_row[i], pair_of_row_[i]);
+    const std::int32_t mate = result.column_of_row[i];
+    std::uint32_t k = mate == kUnassigned ? kNone
+                                          : find_pair(problem.row_start,
+                                                      problem.column,
+                                                      i,
+                                                      static_cast<std::uint32_t>(mate),
+                                                      pair_of_row_[i]);
     result.u[i] = least == kInfinity ? 0 : least;
     result.column_of_row[i] = kUnassigned;
     if (least == kInfinity) continue;

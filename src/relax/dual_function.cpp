@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "assign2d/side.hpp"
+
 // For m = 2 rows and columns of the assignment have outside options instead of dummies that may
 // repeat: fewer nodes, same optimum.
 
@@ -86,11 +88,7 @@ struct DualFunction::Assignment {
   // The cell of a pair, most often the same as the last time.
   std::uint32_t cell(std::uint32_t row, std::uint32_t wanted) {
     std::uint32_t& pair = former_pair[row];
-    if (column[pair] != wanted || pair < row_start[row] || pair >= row_start[row + 1]) {
-      const auto begin = column.begin() + row_start[row];
-      const auto end = column.begin() + row_start[row + 1];
-      pair = static_cast<std::uint32_t>(std::lower_bound(begin, end, wanted) - column.begin());
-    }
+    pair = lap::find_pair(row_start, column, row, wanted, pair);
     return first_cell[row] + (pair - row_start[row]);
   }
 };
