@@ -15,11 +15,9 @@ namespace {
 
 // What costs are multiplied by in the linear program.
 double scale_of(const BoundedComponent& component) {
-  double dearest = 0;
-  for (const double cost : component.graph.costs) dearest = std::max(dearest, std::abs(cost));
   double single = 0;
   for (const Row& row : component.rows) single = std::max(single, std::abs(row.single));
-  return lp::cost_scale(dearest, single);
+  return lp::cost_scale(core::largest_cost(component.graph), single);
 }
 
 }  // namespace

@@ -22,13 +22,11 @@ inline std::pair<Index, Index> two_indices(const Index* index) {
 
 /// Asks for the cache line of base[n], to be there when it is read; base[n] need not exist.
 template <typename Number>
-void prefetch(const Number* base, std::size_t n) {
+void prefetch([[maybe_unused]] const Number* base, [[maybe_unused]] std::size_t n) {
 #if defined(__GNUC__)
   __builtin_prefetch(reinterpret_cast<const void*>(  // NOLINT: may lie beyond the end
       reinterpret_cast<std::uintptr_t>(base) + n * sizeof(Number)));
   asm volatile("");  // or calls of functions that do nothing but this are left out (GCC 12)
-#else
-  static_cast<void>(base + 0 * n);
 #endif
 }
 

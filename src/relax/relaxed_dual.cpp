@@ -33,7 +33,7 @@ RelaxedDual::RelaxedDual(const Component& component, int num_kept)
   const auto kept = static_cast<std::size_t>(num_kept);
   first_slot_ = kept < component.sizes.size() ? component.offset[kept]
                                               : static_cast<std::uint32_t>(component.num_slots());
-  for (const double cost : component.costs) largest_cost_ = std::max(largest_cost_, std::abs(cost));
+  largest_cost_ = core::largest_cost(component);
 }
 
 double RelaxedDual::evaluate(std::span<const double> u, std::span<double> subgradient) {
