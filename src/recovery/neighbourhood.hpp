@@ -29,6 +29,8 @@ class Neighbourhood {
   /// Searches the best way to fill it again by arcs of reduced cost up to `most_reduced`.
   void search(double most_reduced, const bnb::SlackLimits& limits);
 
+  /// Arcs taken out; fewer than were asked for where no more are near.
+  std::size_t size() const { return freed_.size(); }
   /// Nothing better is there.
   bool is_complete() const { return best_.complete; }
   /// Something better was found.

@@ -5,7 +5,12 @@
 // Half of the neighbourhoods start where the packing loses most against the multipliers (the
 // reduced cost of the owner, the price of an uncovered index), the others anywhere.  Their size
 // follows what the subproblem solver can finish: it grows while searches are complete, fast at
-// first, and shrinks when they are not (adaptive as in Pisinger & Ropke 2010).
+// first, and shrinks when they are not (adaptive as in Pisinger & Ropke 2010).  Neighbourhoods that
+// found no more arcs to take out say nothing of larger ones.
+//
+// A detour may cost no more than the neighbourhood's share of the gap.  A tenth of the whole gap,
+// which is right over dozens of indices, lets each of thousands of small neighbourhoods lead away
+// from a good packing by more than all of them together can gain.
 //
 // Neighbourhoods that are searched at once all start from the same packing.  They are filled one
 // after the other, and what no longer fits is forgotten.  Where that happens fewer are searched at
@@ -22,8 +27,9 @@ constexpr double kGrowth = 0.05;
 constexpr double kShrinking = 0.5;
 constexpr double kWorkPerAttempt = 3e5;  // a millisecond
 constexpr double kBetter = 1e-9;
-// Shares of the gap: what a detour may cost, and how far they may lead from the best packing.
-constexpr double kDetour = 0.1;
+// Shares of the gap: what a detour may cost at most, and how far they may lead from the best
+// packing.
+constexpr double kMostDetour = 0.1;
 constexpr double kFarthest = 0.3;
 constexpr std::size_t kMostAtOnce = 8;
 
@@ -69,9 +75,10 @@ double NeighbourhoodSearch::improve(std::vector<std::uint32_t>& best,
     const double affordable = 1 + (limits.max_work - work) / kWorkPerAttempt;  // perhaps infinite
     const auto count = static_cast<std::size_t>(std::min(static_cast<double>(at_once), affordable));
     while (neighbourhoods_.size() < count) neighbourhoods_.emplace_back(problem_, arcs_, state_);
+    const double share = std::min(kMostDetour, size / static_cast<double>(inner_.size()));
     for (std::size_t n = 0; n < count; ++n)
       neighbourhoods_[n].choose(
-          choose_seed(random), static_cast<std::size_t>(size), kDetour * gap, random);
+          choose_seed(random), static_cast<std::size_t>(size), share * gap, random);
     limits.for_all(count,
                    [&](std::size_t n) { neighbourhoods_[n].search(limits.most_reduced, search); });
     bool met = false;
@@ -79,7 +86,10 @@ double NeighbourhoodSearch::improve(std::vector<std::uint32_t>& best,
       const Neighbourhood& neighbourhood = neighbourhoods_[n];
       work += neighbourhood.work();
       if (!neighbourhood.is_complete()) growth = kGrowth;
-      size = neighbourhood.is_complete() ? size + growth : std::max(kLeastSize, size - kShrinking);
+      if (!neighbourhood.is_complete())
+        size = std::max(kLeastSize, size - kShrinking);
+      else if (neighbourhood.size() >= static_cast<std::size_t>(size))
+        size += growth;
       if (!neighbourhood.has_found()) continue;
       met = !neighbourhood.fill(state_) || met;
       if (state_.slack() < best_slack * (1 - kBetter)) {

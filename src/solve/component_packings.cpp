@@ -22,9 +22,9 @@ using core::Packing;
 
 // Work of neighbourhood search: at first, for every index, and where the gap is wide, for every
 // pair of an index and an arc.
-constexpr double kFirstWork = 2e6;
-constexpr double kFirstWorkPerIndex = 10000;
-constexpr double kMostFirstWork = 5e7;
+constexpr double kFirstWork = 1e6;
+constexpr double kFirstWorkPerIndex = 5000;
+constexpr double kMostFirstWork = 2.5e7;
 constexpr double kWideWorkPerPair = 3000;
 constexpr double kMostWideWork = 2e9;
 constexpr double kWideGap = 0.01;
