@@ -134,7 +134,7 @@ Progress by_program(const Start& start,
   nda::cutting::CutLoopOptions options;
   options.cutoff = start.cutoff();
   options.most_patterns = 0;
-  options.deadline = nda::core::Deadline(limit_s);
+  options.context.deadline = nda::core::Deadline(limit_s);
   nda::cutting::run_cut_loop(
       start.component, master, options, [&](const nda::cutting::Master& point) {
         progress.note(point.lower());

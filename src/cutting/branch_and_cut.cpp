@@ -28,7 +28,7 @@ BranchAndCut::BranchAndCut(const core::Component& component,
       cutoff_(cutoff),
       limits_(limits),
       offer_(std::move(offer)),
-      branching_(component, master, limits.deadline),
+      branching_(component, master, limits.context.deadline),
       first_pivots_(master.simplex_iterations()) {}
 
 BranchAndCutResult BranchAndCut::run(const OpenNode& node,
@@ -72,16 +72,18 @@ double BranchAndCut::explore(int depth, double inherited) {
   if (pairs.empty()) return close_single(depth, lower);
   const PairBranching::Choice choice = branching_.choose(std::move(pairs), cutoff_);
   const bool together_first = choice.together <= choice.apart;
-  if (limits_.proof != nullptr)
-    limits_.proof->branch(choice.pair.first, choice.pair.second, together_first);
+  if (limits_.context.proof != nullptr)
+    limits_.context.proof->branch(choice.pair.first, choice.pair.second, together_first);
   double least = kInfinity;
   for (const bool together : {together_first, !together_first}) {
     if (stopped()) return leave(lower);
     path_.push_back({choice.pair, together});
     const auto explore_child = [&] { least = std::min(least, explore(depth + 1, lower)); };
     if (work() >= handover_work_)
-      open_.push_back(
-          {path_, lower, pauses_, limits_.proof != nullptr ? limits_.proof->size() : 0});
+      open_.push_back({path_,
+                       lower,
+                       pauses_,
+                       limits_.context.proof != nullptr ? limits_.context.proof->size() : 0});
     else if (together)
       branching_.together(choice.pair, explore_child);
     else
@@ -100,10 +102,8 @@ CutLoopEnd BranchAndCut::tighten(int depth) {
   if (depth > 0) loop.most_patterns = limits_.node_patterns;
   loop.fix = depth == 0;
   loop.thorough = depth == 0 && limits_.thorough;
-  loop.proof = limits_.proof;
   loop.worthwhile = kWorthwhile;
-  loop.deadline = limits_.deadline;
-  loop.for_all = limits_.for_all;
+  loop.context = limits_.context;
   loop.work = &search_work_;
   const PackingOffer offer = [&](const Master& master, const core::Packing* packing) {
     return cutoff_ = offer_(master, packing);
@@ -128,11 +128,7 @@ LeafLimits BranchAndCut::leaf_limits() const {
   LeafLimits limits;
   limits.max_work = limits_.leaf_work;
   limits.max_nodes = limits_.max_nodes - num_nodes();
-  limits.deadline = limits_.deadline;
-  limits.for_all = limits_.for_all;
-  limits.step = limits_.step;
-  limits.is_dense = limits_.is_dense;
-  limits.proof = limits_.proof;
+  limits.context = limits_.context;
   limits.ranks = limits_.ranks;
   return limits;
 }
@@ -150,7 +146,8 @@ double BranchAndCut::leave(double lower) {
 
 // A leaf.
 double BranchAndCut::close(int depth, double lower) {
-  if (limits_.proof != nullptr) limits_.proof->bound(master_.u(), proof_cuts(master_.cuts()));
+  if (limits_.context.proof != nullptr)
+    limits_.context.proof->bound(master_.u(), proof_cuts(master_.cuts()));
   return finish(depth, lower);
 }
 

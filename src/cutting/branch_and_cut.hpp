@@ -4,15 +4,13 @@
 #include <functional>
 #include <vector>
 
-#include "bnb/proof_log.hpp"
-#include "core/clock.hpp"
 #include "core/component.hpp"
-#include "core/for_all.hpp"
 #include "core/pause.hpp"
 #include "cutting/cut_loop.hpp"
 #include "cutting/leaf_search.hpp"
 #include "cutting/master.hpp"
 #include "cutting/pair_branching.hpp"
+#include "cutting/search_context.hpp"
 
 namespace nda::cutting {
 
@@ -29,7 +27,7 @@ struct OpenNode {
   std::vector<PairBranching::Step> path;  ///< from the root
   double lower = -kInfinity;              ///< what its parent proves for it
   LeafPauses pauses;
-  std::size_t proof_size = 0;  ///< BranchAndCutLimits::proof had so many steps: its own go there
+  std::size_t proof_size = 0;  ///< the proof had so many steps: its own go there
 };
 
 struct BranchAndCutLimits {
@@ -42,12 +40,7 @@ struct BranchAndCutLimits {
   double leaf_work = LeafLimits{}.max_work;  ///< LeafLimits::max_work of a node
   /// Packings are to be cheaper than the best by so much: what a cutoff stands below it.
   double margin = 0;
-  double step = 0;        ///< LeafLimits::step
-  bool is_dense = false;  ///< LeafLimits::is_dense
-  core::Deadline deadline;
-  core::ForAll for_all;  ///< of searches, and of the nodes of a large tree
-  bnb::ProofLog* proof =
-      nullptr;  ///< where to write down the tree; whole if the search is exhaustive
+  SearchContext context;  ///< the proof shows the whole tree if the search is exhaustive
   /// Where more packings count than the best: all below the cutoff are offered, and others.  Null =
   /// that alone; else without a proof.
   const LeafRanks* ranks = nullptr;
@@ -100,7 +93,9 @@ class BranchAndCut {
   double finish(int depth, double lower);
   bool integral() const;
   core::Packing packing() const;
-  bool stopped() const { return num_nodes() >= limits_.max_nodes || limits_.deadline.reached(); }
+  bool stopped() const {
+    return num_nodes() >= limits_.max_nodes || limits_.context.deadline.reached();
+  }
   double work() const;
   std::int64_t num_nodes() const { return tree_nodes_ + search_nodes_; }
   double leave(double lower);

@@ -93,7 +93,7 @@ CutLoopEnd run_cut_loop(const core::Component& component,
   double last_lower = -kInfinity;
   int idle_rounds = 0;
   bool thorough = false;
-  Separation separate(options.deadline, options.for_all);
+  Separation separate(options.context.deadline, options.context.for_all);
   const std::size_t last = std::min(options.most_patterns, patterns().size());
   std::size_t stage = std::min(options.first_patterns, last);
   const auto look_harder = [&] {
@@ -103,7 +103,7 @@ CutLoopEnd run_cut_loop(const core::Component& component,
     return thorough = true;
   };
   for (int round = 0; round < std::max(1, options.max_rounds); ++round) {
-    const lp::Outcome outcome = master.solve(cutoff, options.deadline);
+    const lp::Outcome outcome = master.solve(cutoff, options.context.deadline);
     if (outcome == lp::Outcome::kCutoff) return CutLoopEnd::kProven;
     if (outcome != lp::Outcome::kOptimal) return CutLoopEnd::kStopped;
     cutoff = observer(master);
@@ -111,8 +111,8 @@ CutLoopEnd run_cut_loop(const core::Component& component,
     const double gap = cutoff - master.lower();
     const double gain = master.lower() - last_lower;
     last_lower = master.lower();
-    if (options.fix && master.fix(cutoff) && options.proof != nullptr)
-      options.proof->fix(master.u(), cutoff, proof_cuts(master.cuts()));
+    if (options.fix && master.fix(cutoff) && options.context.proof != nullptr)
+      options.context.proof->fix(master.u(), cutoff, proof_cuts(master.cuts()));
     if (options.leaf != nullptr && search(*options.leaf, master, cutoff, options.work))
       return CutLoopEnd::kSearched;
     master.drop_idle(kMostIdle);

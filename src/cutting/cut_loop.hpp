@@ -4,11 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "bnb/proof_log.hpp"
-#include "core/clock.hpp"
 #include "core/component.hpp"
-#include "core/for_all.hpp"
 #include "cutting/master.hpp"
+#include "cutting/search_context.hpp"
 
 namespace nda::cutting {
 
@@ -29,13 +27,11 @@ struct CutLoopOptions {
   /// A round that closes less than this share of the gap calls for harder patterns or ends the
   /// loop.
   double worthwhile = 0.005;
-  bool fix = true;                 ///< drop arcs for good; not below a branching
-  bnb::ProofLog* proof = nullptr;  ///< where to write down what was dropped
-  LeafSearch* leaf = nullptr;      ///< what may end the node; may be null
+  bool fix = true;             ///< drop arcs for good; not below a branching
+  LeafSearch* leaf = nullptr;  ///< what may end the node; may be null
   /// Where to add the work of separation and of `leaf` (bnb::SlackLimits); may be null.
   double* work = nullptr;
-  core::Deadline deadline;
-  core::ForAll for_all;  ///< of patterns
+  SearchContext context;
 };
 
 /// How the loop ended.

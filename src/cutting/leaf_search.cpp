@@ -101,7 +101,7 @@ bool LeafSearch::operator()(const Master& master, double& cutoff) {
   credit_ += limits_.max_work +
              work_of_pivots(master.simplex_iterations() - pivots_, component_.num_slots());
   pivots_ = master.simplex_iterations();
-  if (!is_worth_trying(master, cutoff) || limits_.deadline.reached()) return false;
+  if (!is_worth_trying(master, cutoff) || limits_.context.deadline.reached()) return false;
   if (search_slack(master, cutoff) || cover(master, cutoff)) return true;
   failed_gap_ = cutoff - master.lower();
   failed_lower_ = master.lower();
@@ -114,11 +114,11 @@ bool LeafSearch::search_slack(const Master& master, double& cutoff) {
   const MasterSlack slack(component_, master);
   const double gap = cutoff - slack.base();
   bnb::SlackLimits limits;
-  limits.deadline = limits_.deadline;
-  limits.for_all = limits_.for_all;
-  limits.step = limits_.step;
+  limits.deadline = limits_.context.deadline;
+  limits.for_all = limits_.context.for_all;
+  limits.step = limits_.context.step;
   const double few = kFewIndices / static_cast<double>(component_.num_indices());
-  const Budgets budgets(component_, slack, gap, limits_.is_dense);
+  const Budgets budgets(component_, slack, gap, limits_.context.is_dense);
   double seen = -kInfinity;  // what has less slack is known
   double budget = budgets.first();
   for (double work = 0; seen < std::min(gap, cutoff - slack.base());
@@ -140,7 +140,8 @@ bool LeafSearch::search_slack(const Master& master, double& cutoff) {
     const bool is_enough = limits_.ranks == nullptr && seen >= cutoff - slack.base();
     if (!found.complete && !is_enough) return false;
   }
-  if (limits_.proof != nullptr) limits_.proof->search(slack.u(), cutoff, proof_cuts(master.cuts()));
+  if (limits_.context.proof != nullptr)
+    limits_.context.proof->search(slack.u(), cutoff, proof_cuts(master.cuts()));
   return true;
 }
 
@@ -178,7 +179,7 @@ bool LeafSearch::search_cliques(const Master& master, double& cutoff) {
   work_ += result.work;
   if (result.found) lower(master, result.best, cutoff);
   if (!result.complete || result.lower < cutoff) return false;
-  if (limits_.proof != nullptr) limits_.proof->cliques(u, cutoff);
+  if (limits_.context.proof != nullptr) limits_.context.proof->cliques(u, cutoff);
   return true;
 }
 
@@ -211,7 +212,7 @@ bool LeafSearch::rank_cliques(const Master& master, double& cutoff) {
 }
 
 bnb::CliqueLimits LeafSearch::clique_limits() const {
-  return {limits_.max_nodes - nodes_, credit_, limits_.deadline};
+  return {limits_.max_nodes - nodes_, credit_, limits_.context.deadline};
 }
 
 }  // namespace nda::cutting

@@ -5,13 +5,11 @@
 #include <vector>
 
 #include "bnb/clique_search.hpp"
-#include "bnb/proof_log.hpp"
 #include "bnb/slack_search.hpp"
-#include "core/clock.hpp"
 #include "core/component.hpp"
-#include "core/for_all.hpp"
 #include "core/pause.hpp"
 #include "cutting/master.hpp"
+#include "cutting/search_context.hpp"
 
 namespace nda::cutting {
 
@@ -48,12 +46,7 @@ struct LeafRanks {
 struct LeafLimits {
   double max_work = 1e6;       ///< of searches (bnb::SlackLimits) for every call; 0 = none
   std::int64_t max_nodes = 0;  ///< of all searches
-  double step = 0;             ///< bnb::SlackLimits::step
-  /// Most tuples are arcs: budgets widen by the arcs they pay for.
-  bool is_dense = false;
-  core::Deadline deadline;
-  core::ForAll for_all;              ///< of the parts of a search
-  bnb::ProofLog* proof = nullptr;    ///< where to write searches down
+  SearchContext context;
   const LeafRanks* ranks = nullptr;  ///< null = the best packing alone counts
 };
 

@@ -85,7 +85,7 @@ class TreeSearch {
   }
 
  private:
-  bool stopped() const { return left_nodes() <= 0 || limits_.deadline.reached(); }
+  bool stopped() const { return left_nodes() <= 0 || limits_.context.deadline.reached(); }
   std::int64_t left_nodes() const { return limits_.max_nodes - result_.nodes; }
 
   void leave_open(std::vector<OpenNode>& nodes,
@@ -116,10 +116,10 @@ class TreeSearch {
     const std::size_t first = places_.size() + 1;
     for (const Open& open : chosen) {
       places_.push_back(open.place);
-      if (limits_.proof != nullptr) logs_.push_back(limits_.proof->fork());
+      if (limits_.context.proof != nullptr) logs_.push_back(limits_.context.proof->fork());
     }
     std::vector<Branch> branches(chosen.size());
-    limits_.for_all(chosen.size(), [&](std::size_t i) {
+    limits_.context.for_all(chosen.size(), [&](std::size_t i) {
       branches[i] = search(chosen[i], effort, log(first + i));
     });
     for (std::size_t i = 0; i < chosen.size(); ++i) take(branches[i], first + i);
@@ -143,7 +143,7 @@ class TreeSearch {
     branch.base = std::make_shared<Base>(open.base ? *open.base : Base{master_, 0});
     BranchAndCutLimits limits = limits_;
     limits.max_nodes = effort.nodes;
-    limits.proof = log;
+    limits.context.proof = log;
     limits.pause = nullptr;
     double cutoff = cutoff_;
     const PackingOffer offer = [&](const Master&, const Packing* found) {
@@ -190,13 +190,13 @@ class TreeSearch {
     for (const Open& open : open_) result_.lower = std::min(result_.lower, open.node.lower);
     result_.exhaustive = result_.exhaustive && open_.empty();
     result_.complete = result_.lower >= cutoff_;
-    if (limits_.proof != nullptr && result_.exhaustive) graft();
+    if (limits_.context.proof != nullptr && result_.exhaustive) graft();
     return result_;
   }
 
   // The log of a search of a round, they count from 1.
   bnb::ProofLog* log(std::size_t search) {
-    return limits_.proof == nullptr ? nullptr : &logs_[search - 1];
+    return limits_.context.proof == nullptr ? nullptr : &logs_[search - 1];
   }
 
   // Puts the steps of every search in their place: a search comes after that which left it.
@@ -210,7 +210,7 @@ class TreeSearch {
           });
       std::vector<bnb::ProofLog::Graft> grafts;
       for (const std::size_t s : children[parent]) grafts.push_back({places_[s - 1].size, log(s)});
-      bnb::ProofLog& log_of_parent = parent == 0 ? *limits_.proof : *log(parent);
+      bnb::ProofLog& log_of_parent = parent == 0 ? *limits_.context.proof : *log(parent);
       if (!grafts.empty()) log_of_parent.graft(grafts);
     }
   }

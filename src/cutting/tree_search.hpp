@@ -17,7 +17,8 @@ struct TreeShape {
 /// Branch and cut (cutting/branch_and_cut.hpp) of a tree that may be large: depth first at first,
 /// then in rounds of open nodes, those of the least bound, each explored depth first for a while
 /// with a linear program of its own.  What a round explores depends on the rounds before it alone,
-/// so the answer does not depend on how many of its nodes `limits.for_all` explores at once.
+/// so the answer does not depend on how many of its nodes `limits.context.for_all` explores at
+/// once.
 BranchAndCutResult search_tree(const core::Component& component,
                                Master& master,
                                double cutoff,

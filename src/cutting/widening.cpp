@@ -59,7 +59,8 @@ class Widening {
         observer_(observer),
         cutoff_(limits.cutoff),
         master_(component, core::all_arcs(component), u),
-        proof_size_(limits.proof == nullptr ? 0 : limits.proof->size()) {
+        proof_(limits.context.proof),
+        proof_size_(proof_ == nullptr ? 0 : proof_->size()) {
     for (const Cut& cut : limits.cuts) master_.add(cut);
   }
 
@@ -74,12 +75,12 @@ class Widening {
     }
     result_.complete = result_.lower >= cutoff_;
     result_.live_arcs = master_.live().size();
-    if (limits_.proof != nullptr && (covered_ || !exhaustive_)) {
-      limits_.proof->cut_back(proof_size_);
+    if (proof_ != nullptr && (covered_ || !exhaustive_)) {
+      proof_->cut_back(proof_size_);
       if (covered_)
-        limits_.proof->cliques({}, cutoff_);
+        proof_->cliques({}, cutoff_);
       else
-        limits_.proof->bound(master_.u(), proof_cuts(master_.cuts()));
+        proof_->bound(master_.u(), proof_cuts(master_.cuts()));
     }
     return result_;
   }
@@ -90,19 +91,13 @@ class Widening {
     ++result_.nodes;
     CutLoopOptions loop;
     loop.cutoff = cutoff_;
-    loop.deadline = limits_.deadline;
-    loop.for_all = limits_.for_all;
-    loop.proof = limits_.proof;
+    loop.context = limits_.context;
     loop.work = &own_work_;
     LeafLimits leaf_limits;
     leaf_limits.max_nodes = limits_.max_nodes - result_.nodes;
-    leaf_limits.deadline = limits_.deadline;
-    leaf_limits.for_all = limits_.for_all;
-    leaf_limits.step = limits_.step;
-    leaf_limits.is_dense = limits_.is_dense;
-    leaf_limits.proof = limits_.proof;
+    leaf_limits.context = limits_.context;
     LeafSearch leaf(component_, leaf_limits, 0, offer_);
-    leaf.earn((limits_.is_dense ? kFirstDenseLeafWork : kFirstLeafWork) /
+    leaf.earn((limits_.context.is_dense ? kFirstDenseLeafWork : kFirstLeafWork) /
               static_cast<double>(component_.num_indices()));
     loop.leaf = &leaf;
     const auto round = [&](const Master& point) {
@@ -132,7 +127,7 @@ class Widening {
     result_.fixing += leaf.fixing();
     if (end == CutLoopEnd::kProven || end == CutLoopEnd::kSearched) raise(cutoff_);
     exhaustive_ = end == CutLoopEnd::kSearched;
-    if (limits_.proof != nullptr) proof_size_ = limits_.proof->size();
+    if (proof_ != nullptr) proof_size_ = proof_->size();
     return end != CutLoopEnd::kSearched && end != CutLoopEnd::kProven &&
            end != CutLoopEnd::kStopped;
   }
@@ -153,10 +148,10 @@ class Widening {
         within, core::all_arcs(within), core::restrict_slots(component_, master_.u(), within));
     const std::vector<std::uint32_t> slots = core::slots_in_part(component_, within);
     for (const CutRow& row : master_.cuts()) circle.add(restrict_cut(row.cut, slots));
-    if (limits_.proof != nullptr) {
-      limits_.proof->cut_back(proof_size_);
-      limits_.proof->fix(master_.u(), target, proof_cuts(master_.cuts()));
-      limits_.proof->enter(within);
+    if (proof_ != nullptr) {
+      proof_->cut_back(proof_size_);
+      proof_->fix(master_.u(), target, proof_cuts(master_.cuts()));
+      proof_->enter(within);
     }
     BranchAndCutLimits limits;
     limits.max_nodes = limits_.max_nodes - result_.nodes;
@@ -164,11 +159,7 @@ class Widening {
     limits.thorough = cuts_pay();
     if (closed_by_cuts() < kWorthwhileAtNodes) limits.node_patterns = 0;
     limits.margin = limits_.margin;
-    limits.step = limits_.step;
-    limits.is_dense = limits_.is_dense;
-    limits.deadline = limits_.deadline;
-    limits.for_all = limits_.for_all;
-    limits.proof = limits_.proof;
+    limits.context = limits_.context;
     limits.pause = [&](std::int64_t nodes, double work) {
       if (is_improvement_due(work)) {
         improve(work);
@@ -183,7 +174,7 @@ class Widening {
       return std::min(cutoff_, target);
     };
     const BranchAndCutResult found = search_tree(within, circle, target, limits, offer);
-    if (limits_.proof != nullptr) limits_.proof->enter(component_);
+    if (proof_ != nullptr) proof_->enter(component_);
     result_.nodes += found.nodes;
     result_.fixing += found.fixing;
     last_tree_nodes_ = found.tree_nodes;
@@ -198,7 +189,7 @@ class Widening {
   bool cover(std::int64_t running) {
     LeafLimits limits;
     limits.max_nodes = limits_.max_nodes - result_.nodes - running;
-    limits.deadline = limits_.deadline;
+    limits.context.deadline = limits_.context.deadline;
     LeafSearch leaf(component_, limits, 0, offer_);
     leaf.earn(std::min(kCoverShare * bound_work_, kMostCoverWork));
     covered_ = leaf.cover(master_, cutoff_);
@@ -266,9 +257,10 @@ class Widening {
   };
   Master master_;
   core::Cutter cutter_;
-  std::size_t proof_size_;   // before the circles
-  bool exhaustive_ = false;  // the last circle holds all, and its tree was searched to the end
-  bool covered_ = false;     // cover() was enough
+  bnb::ProofLog* const proof_;  // may be null
+  std::size_t proof_size_;      // before the circles
+  bool exhaustive_ = false;     // the last circle holds all, and its tree was searched to the end
+  bool covered_ = false;        // cover() was enough
   double primal_share_ = kPrimalShare;
   double lower_without_cuts_ = kInfinity;
   double first_gap_ = kInfinity;  // at the first call for better packings

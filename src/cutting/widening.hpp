@@ -5,12 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "bnb/proof_log.hpp"
-#include "core/clock.hpp"
 #include "core/component.hpp"
-#include "core/for_all.hpp"
 #include "cutting/leaf_search.hpp"
 #include "cutting/master.hpp"
+#include "cutting/search_context.hpp"
 #include "cutting/tree_search.hpp"
 
 namespace nda::cutting {
@@ -18,17 +16,13 @@ namespace nda::cutting {
 struct WideningLimits {
   double cutoff = kInfinity;  ///< only packings cheaper than this are looked for
   double margin = 0;          ///< BranchAndCutLimits::margin
-  double step = 0;            ///< LeafLimits::step
   std::int64_t max_nodes = 0;
-  bool is_dense = false;  ///< LeafLimits::is_dense
   std::vector<Cut> cuts;  ///< to begin with
   /// What the relaxation proves without them; -inf: there are none.
   double lower_without_cuts = -kInfinity;
-  core::ForAll for_all;  ///< of long searches and large trees (cutting/tree_search.hpp)
-  core::Deadline deadline;
-  /// Where to write down why the bound holds: all of it if no limit struck, else what the cuts of
-  /// the whole component prove, without the circles.
-  bnb::ProofLog* proof = nullptr;
+  /// The proof shows all of the bound if no limit struck, else what the cuts of the whole component
+  /// prove, without the circles.
+  SearchContext context;
 };
 
 /// What may go into better packings.

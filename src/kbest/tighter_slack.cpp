@@ -31,7 +31,7 @@ std::optional<bnb::ComponentSlack> tighter_slack(const core::Component& componen
   loop.cutoff = cost + reach;
   loop.max_rounds = max_rounds;
   loop.worthwhile = kWorthwhile;
-  loop.deadline = deadline;
+  loop.context.deadline = deadline;
   // What leaves the best packing no slack cannot be improved.
   const auto cutoff = [&](const cutting::Master& point) {
     return point.lower() < cost ? cost + reach : point.lower();

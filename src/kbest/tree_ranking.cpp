@@ -103,7 +103,7 @@ TreeRanking rank_by_tree(const core::Component& component,
   tree_limits.node_patterns = 0;
   tree_limits.thorough = false;
   tree_limits.leaf_work = leaf_work;
-  tree_limits.deadline = limits.deadline;
+  tree_limits.context.deadline = limits.deadline;
   tree_limits.ranks = &ranks;
   cutting::BranchAndCut* running = nullptr;
   bool given_up = false;

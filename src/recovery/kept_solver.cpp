@@ -123,7 +123,7 @@ class KeptSearch {
     limits.cutoff = cutoff();
     limits.margin = error_;
     limits.max_nodes = options_.kept_nodes - nodes_;
-    limits.deadline = deadline_;
+    limits.context.deadline = deadline_;
     cutting::WideningObserver observer;
     observer.offer = [&](const cutting::Master& point, const Packing* found) {
       const Packing packing =

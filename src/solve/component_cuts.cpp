@@ -44,8 +44,8 @@ void ComponentSolver::branch_and_cut() {
   }
   cutting::WideningLimits limits;
   limits.margin = std::max(precision_.margin, allowed_gap_);
-  limits.step = precision_.step();
-  limits.is_dense = recovery::DimensionwiseSearch::suits(component_);
+  limits.context.step = precision_.step();
+  limits.context.is_dense = recovery::DimensionwiseSearch::suits(component_);
   if (!on_averages) {
     search_circles(core, live, limits);
     return;
@@ -113,10 +113,10 @@ double ComponentSolver::search_circles(const Component& core,
   const std::vector<double> u = core::restrict_slots(component_, state_.u, core);
   const auto goal = [&] { return state_.best.cost - limits.margin; };
   limits.cutoff = goal();
-  limits.for_all = for_all_;
+  limits.context.for_all = for_all_;
   limits.max_nodes = options_.branch.max_nodes - state_.nodes;
-  limits.deadline = deadline_;
-  limits.proof = proof_;
+  limits.context.deadline = deadline_;
+  limits.context.proof = proof_;
   cutting::WideningObserver observer;
   observer.offer = [&](const cutting::Master& point, const Packing* found) {
     const Component& relaxed = point.component();

@@ -31,14 +31,14 @@ Outcome search(const Component& component,
   limits.root_rounds = limits.node_rounds = 1;
   limits.leaf_work = 0;
   limits.margin = 1e-7;
-  limits.proof = proof;
+  limits.context.proof = proof;
   Outcome outcome;
   outcome.best.cost = 1e-6;
   const PackingOffer offer = [&](const Master&, const Packing* packing) {
     if (packing != nullptr && packing->cost < outcome.best.cost) outcome.best = *packing;
     return outcome.best.cost - 1e-7;
   };
-  limits.for_all = for_all;
+  limits.context.for_all = for_all;
   outcome.result = search_tree(component, master, 1e-6, limits, offer, kBreakOffAtOnce);
   return outcome;
 }

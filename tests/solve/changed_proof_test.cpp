@@ -49,7 +49,7 @@ void write_tree(const core::Component& component, double cutoff, bnb::ProofLog& 
   limits.root_rounds = limits.node_rounds = 1 + static_cast<int>(component.num_arcs() % 3);
   limits.leaf_work = 0;
   limits.margin = 1e-9;
-  limits.proof = &log;
+  limits.context.proof = &log;
   cutting::search_tree(
       component, master, cutoff, limits, [cutoff](const auto&, const auto*) { return cutoff; });
 }
