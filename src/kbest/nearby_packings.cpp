@@ -65,11 +65,12 @@ std::int64_t NearbyPackings::search(PackingBuffer& known,
   double at_find = left_.max_work;
   while (known.cutoff() > goal && left_.max_work > at_find - kPatience * limits.max_work) {
     if (left_.max_work <= 0 || left_.max_nodes <= 0 || left_.deadline.reached()) break;
-    const auto near = std::ranges::lower_bound(known.packings(), budget, {}, &core::Packing::cost);
-    const auto num_near = std::max<std::ptrdiff_t>(1, near - known.packings().begin());
-    const core::Packing base =
-        known.packings()[random_.below(static_cast<std::uint64_t>(num_near))];
-    if (look_around(base, std::min(budget, known.cutoff()), known)) at_find = left_.max_work;
+    const auto& all = known.packings();
+    const auto near = std::ranges::lower_bound(all, budget, {}, &PackingBuffer::Kept::cost);
+    const auto num_near = std::max<std::ptrdiff_t>(1, near - all.begin());
+    const PackingBuffer::Kept& base = all[random_.below(static_cast<std::uint64_t>(num_near))];
+    if (look_around({*base.arcs, base.cost}, std::min(budget, known.cutoff()), known))
+      at_find = left_.max_work;
   }
   return nodes_;
 }
@@ -99,6 +100,7 @@ bool NearbyPackings::look_around(const core::Packing& base, double limit, Packin
                                                : std::max(kFewestFreed, num_freed_ - 1);
   bool is_new = false;
   for (const Ranked& ranked : found.packings) {
+    if (left_.deadline.reached()) break;
     core::Packing packing = completed(base, combinations.arcs(ranked.arcs));
     is_new = (packing.cost < limit && known.add(std::move(packing))) || is_new;
   }

@@ -1,22 +1,72 @@
 #include "kbest/packing_buffer.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
+// Additions are many and looks at all of them in order few: what is new waits in a heap, which
+// knows the last one, until somebody looks.  What is found in order needs neither.
+
 namespace nda::kbest {
+namespace {
+
+bool comes_before(const PackingBuffer::Kept& a, const PackingBuffer::Kept& b) {
+  return std::tie(a.cost, a.number) < std::tie(b.cost, b.number);
+}
+
+}  // namespace
 
 // The same arcs have the same cost to the last bit, as make_packing() adds in their order.
 bool PackingBuffer::add(core::Packing packing) {
   if (packing.cost >= cutoff()) return false;
-  const auto cheaper = [](const core::Packing& a, const core::Packing& b) {
-    return a.cost < b.cost;
-  };
-  const auto [first, last] = std::equal_range(packings_.begin(), packings_.end(), packing, cheaper);
-  const auto is_same = [&](const core::Packing& other) { return other.arcs == packing.arcs; };
-  if (std::any_of(first, last, is_same)) return false;
-  packings_.insert(last, std::move(packing));
-  if (packings_.size() > k_) packings_.pop_back();
+  const auto [arcs, is_new] = arcs_.insert(std::move(packing.arcs));
+  if (!is_new) return false;
+  const Kept kept{packing.cost, num_found_++, &*arcs};
+  if (recent_.empty() && (sorted_.empty() || sorted_.back().cost <= kept.cost)) {
+    sorted_.push_back(kept);
+  } else {
+    recent_.push_back(kept);
+    std::push_heap(recent_.begin(), recent_.end(), comes_before);
+  }
+  if (size() > k_) drop_last();
   return true;
+}
+
+void PackingBuffer::resize(std::size_t k) {
+  k_ = k;
+  while (size() > k_) drop_last();
+}
+
+const std::vector<PackingBuffer::Kept>& PackingBuffer::packings() {
+  const auto num_sorted = static_cast<std::ptrdiff_t>(sorted_.size());
+  std::sort(recent_.begin(), recent_.end(), comes_before);
+  sorted_.insert(sorted_.end(), recent_.begin(), recent_.end());
+  std::inplace_merge(sorted_.begin(), sorted_.begin() + num_sorted, sorted_.end(), comes_before);
+  recent_.clear();
+  return sorted_;
+}
+
+std::vector<core::Packing> PackingBuffer::take() {
+  std::vector<core::Packing> taken;
+  taken.reserve(size());
+  for (const Kept& kept : packings())
+    taken.push_back({std::move(arcs_.extract(*kept.arcs).value()), kept.cost});
+  sorted_.clear();
+  return taken;
+}
+
+bool PackingBuffer::is_last_recent() const {
+  return sorted_.empty() || (!recent_.empty() && comes_before(sorted_.back(), recent_.front()));
+}
+
+void PackingBuffer::drop_last() {
+  arcs_.erase(arcs_.find(*last().arcs));
+  if (is_last_recent()) {
+    std::pop_heap(recent_.begin(), recent_.end(), comes_before);
+    recent_.pop_back();
+  } else {
+    sorted_.pop_back();
+  }
 }
 
 }  // namespace nda::kbest

@@ -1,33 +1,55 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "core/component.hpp"
+#include "kbest/arc_sets.hpp"
 #include "nda/types.hpp"
 
 namespace nda::kbest {
 
-/// The solution buffer of partial branch and bound: the k best packings ever found, best first, no
-/// two the same.
+/// The solution buffer of partial branch and bound: the k best packings ever found, no two the
+/// same; of equal cost those found first.
 class PackingBuffer {
  public:
-  explicit PackingBuffer(std::size_t k) : k_(k) {}
+  struct Kept {
+    double cost;
+    std::uint64_t number;  ///< they were found in this order
+    const std::vector<core::ArcId>* arcs;
+  };
 
-  /// Keeps it if it is new and among the k best.  Its arcs ascend.  Cost: O(k), and its arcs for
-  /// every packing of the same cost.  Returns whether it did.
+  explicit PackingBuffer(std::size_t k) : k_(k) {}
+  PackingBuffer(PackingBuffer&&) = default;
+  PackingBuffer& operator=(PackingBuffer&&) = default;
+
+  /// Keeps it if it is new and among the k best.  Its arcs ascend, and their cost is always the
+  /// same.  Returns whether it did.  Cost: O(log k), and its arcs once.
   bool add(core::Packing packing);
 
   /// What a packing must cost less than to be kept; +inf as long as there are fewer than k.
-  double cutoff() const { return packings_.size() < k_ ? kInfinity : packings_.back().cost; }
+  double cutoff() const { return size() < k_ ? kInfinity : last().cost; }
 
   std::size_t capacity() const { return k_; }
-  const std::vector<core::Packing>& packings() const { return packings_; }
-  std::vector<core::Packing> take() { return std::move(packings_); }
+  std::size_t size() const { return arcs_.size(); }
+  /// Keeps so many from now on.
+  void resize(std::size_t k);
+  /// Best first, until one is added.  Cost: O(k) after additions, and sorting these.
+  const std::vector<Kept>& packings();
+  /// The same; nothing is left.
+  std::vector<core::Packing> take();
 
  private:
+  bool is_last_recent() const;
+  const Kept& last() const { return is_last_recent() ? recent_.front() : sorted_.back(); }
+  void drop_last();
+
   std::size_t k_;
-  std::vector<core::Packing> packings_;
+  ArcSets arcs_;
+  std::vector<Kept> sorted_;
+  std::vector<Kept> recent_;  // a heap, the last on top
+  std::uint64_t num_found_ = 0;
 };
 
 }  // namespace nda::kbest

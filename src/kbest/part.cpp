@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <set>
 #include <utility>
 
+#include "kbest/arc_sets.hpp"
 #include "kbest/clique_ranking.hpp"
 #include "kbest/nearby_packings.hpp"
 #include "kbest/refunds.hpp"
@@ -41,11 +41,12 @@ constexpr double kGridTolerance = 0x1p-6;  // of its step, at most
 constexpr double kTrialWork = 3e5;         // before a tighter slack is looked for
 constexpr double kTrialWorkPerRank = 1e5;
 constexpr double kShortTrialWork = 5e4;
-constexpr double kTrialWorkPerArc = 200;  // tightening takes as long
-constexpr double kMorePatience = 16;      // from one search that was stopped to the next
-constexpr int kMostRounds = 60;           // of cuts
-constexpr int kFirstRounds = 8;           // where covers by cliques may do without
-constexpr double kLooseReach = 1.25;      // times what is wanted: worth tightening anew
+constexpr double kTrialWorkPerArc = 200;    // tightening takes as long
+constexpr double kMorePatience = 16;        // from one search that was stopped to the next
+constexpr int kMostRounds = 60;             // of cuts
+constexpr int kFirstRounds = 8;             // where covers by cliques may do without
+constexpr std::size_t kKnownAtOnce = 1000;  // whatever the clock says
+constexpr double kLooseReach = 1.25;        // times what is wanted: worth tightening anew
 
 }  // namespace
 
@@ -189,7 +190,7 @@ bool Part::take(Run& run, Found found, double within) {
   run.work += found.work;
   if (!found.complete) {
     if (!std::exchange(run.has_begun, true)) begin(run);
-    know_all(found.list, run.combinations);
+    know_all(found.list, run);
     return false;
   }
   run.within = within;
@@ -204,19 +205,20 @@ void Part::look_nearby(Run& run, NearbyPackings& nearby) {
   const double work = run.work - run.work_at_nearby;
   if (work < patience_.nearby) return;
   run.work_at_nearby = run.work;
-  know_all(list_, run.combinations);
+  know_all(list_, run);
   const double budget = beyond(first_.least + next_within(run), first_.error);
   run.nodes += nearby.search(*known_, budget, first_.least + settled(), run.limits_of(work));
 }
 
 // With what was known before, as many as are wanted now.
 void Part::begin(const Run& run) {
-  std::vector<core::Packing> before;
-  if (known_) before = known_->take();
-  known_.emplace(run.k);
-  know(core::positions_in(first_.slack.arcs, best_));
-  for (core::Packing& packing : before) known_->add(std::move(packing));
-  know_all(list_, run.combinations);
+  if (known_) {
+    known_->resize(run.k);
+  } else {
+    known_.emplace(run.k);
+    know(core::positions_in(first_.slack.arcs, best_));
+  }
+  know_all(list_, run);
 }
 
 void Part::know(std::vector<ArcId> arcs) {
@@ -224,10 +226,12 @@ void Part::know(std::vector<ArcId> arcs) {
   known_->add({std::move(arcs), slack});
 }
 
-void Part::know_all(const RankedList& list, const Combinations& combinations) {
-  for (const Ranked& ranked : list) {
+// The first ones, and the others as long as there is time.
+void Part::know_all(const RankedList& list, const Run& run) {
+  for (std::size_t n = 0; n < list.size(); ++n) {
+    if (n >= kKnownAtOnce && run.limits.deadline.reached()) return;
     const std::vector<ArcId> arcs =
-        core::arcs_from_original(component_, combinations.arcs(ranked.arcs));
+        core::arcs_from_original(component_, run.combinations.arcs(list[n].arcs));
     know(core::positions_in(first_.slack.arcs, arcs));
   }
 }
@@ -239,15 +243,18 @@ double Part::settled() const {
 
 // Lists what is known and settled.
 void Part::settle(Run& run) {
-  std::set<std::vector<ArcId>> is_listed;
+  ArcSets is_listed;
   const auto ascending = [](std::vector<ArcId> arcs) {
     std::sort(arcs.begin(), arcs.end());
     return arcs;
   };
-  for (const Ranked& ranked : list_)
+  for (const Ranked& ranked : list_) {
+    if (is_listed.size() >= kKnownAtOnce && run.limits.deadline.reached()) return;
     is_listed.insert(ascending(run.combinations.arcs(ranked.arcs)));
-  for (const core::Packing& packing : known_->packings()) {
+  }
+  for (const PackingBuffer::Kept& packing : known_->packings()) {
     if (list_.size() >= run.k || packing.cost - first_.least > settled()) break;
+    if (list_.size() >= kKnownAtOnce && run.limits.deadline.reached()) break;
     const Ranked next = listed(packing, run.combinations);
     if (is_listed.insert(ascending(run.combinations.arcs(next.arcs))).second) list_.push_back(next);
   }
@@ -256,9 +263,9 @@ void Part::settle(Run& run) {
 }
 
 // What is known, as lists have it.
-Ranked Part::listed(const core::Packing& packing, Combinations& combinations) const {
+Ranked Part::listed(const PackingBuffer::Kept& packing, Combinations& combinations) const {
   Ranked ranked{packing.cost - first_.least, kNothing};
-  for (const ArcId a : packing.arcs) {
+  for (const ArcId a : *packing.arcs) {
     const ArcId name = core::original_arc(component_, first_.slack.arcs[a]);
     ranked.arcs = combinations.join(ranked.arcs, combinations.single(name));
   }
@@ -336,7 +343,7 @@ Part::Found Part::rank_by_branching(const Run& run, double reach, double max_wor
                                         patience_.leaf_work);
   Found found{{}, 0, tree.complete, tree.nodes, tree.work};
   if (!tree.complete) return found;
-  for (const core::Packing& packing : known_->packings()) {
+  for (const PackingBuffer::Kept& packing : known_->packings()) {
     if (packing.cost < budget) found.list.push_back(listed(packing, run.combinations));
   }
   double next = budget > greatest_slack(slack) ? kInfinity : budget;

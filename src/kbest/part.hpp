@@ -83,10 +83,10 @@ class Part {
   void look_nearby(Run& run, NearbyPackings& nearby);
   void begin(const Run& run);
   void know(std::vector<core::ArcId> arcs);
-  void know_all(const RankedList& list, const Combinations& combinations);
+  void know_all(const RankedList& list, const Run& run);
   double settled() const;
   void settle(Run& run);
-  Ranked listed(const core::Packing& packing, Combinations& combinations) const;
+  Ranked listed(const PackingBuffer::Kept& packing, Combinations& combinations) const;
   double most_within(const Run& run) const;
   double next_within(const Run& run) const;
   Found rank_slacks(const Run& run, const Form& form, double reach, double max_work) const;

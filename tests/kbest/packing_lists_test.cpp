@@ -30,6 +30,51 @@ TEST(PackingBuffer, KeepsTheBestOnceEach) {
   EXPECT_THAT(costs_of(buffer.take()), ElementsAre(-3, -2, -1));
 }
 
+// Against a list that is sorted and looked through every time; of few costs, so that most are ties.
+TEST(PackingBuffer, AgreesWithAPlainList) {
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    SCOPED_TRACE(seed);
+    core::Random random(seed);
+    std::size_t k = 1 + random.below(30);
+    PackingBuffer buffer(k);
+    std::vector<Packing> plain;
+    for (int n = 0; n < 200; ++n) {
+      if (random.below(40) == 0) {
+        k = 1 + random.below(30);
+        buffer.resize(k);
+        if (plain.size() > k) plain.resize(k);
+      }
+      const auto arc = static_cast<core::ArcId>(random.below(150));
+      const Packing packing = {{arc, arc + 1000}, static_cast<double>(arc % 7)};
+      const auto is_same = [&](const Packing& other) { return other.arcs == packing.arcs; };
+      const bool is_new = std::ranges::none_of(plain, is_same);
+      const bool fits = plain.size() < k || (plain.size() == k && packing.cost < plain.back().cost);
+      if (is_new && fits) plain.push_back(packing);
+      std::ranges::stable_sort(plain, {}, &Packing::cost);
+      if (plain.size() > k) plain.resize(k);
+      EXPECT_EQ(buffer.add(packing), is_new && fits);
+      EXPECT_EQ(buffer.cutoff(), plain.size() < k ? kInfinity : plain.back().cost);
+      if (random.below(3) != 0) continue;
+      ASSERT_EQ(buffer.packings().size(), plain.size());
+      for (std::size_t r = 0; r < plain.size(); ++r)
+        ASSERT_EQ(*buffer.packings()[r].arcs, plain[r].arcs);
+    }
+    const std::vector<Packing> taken = buffer.take();
+    ASSERT_EQ(costs_of(taken), costs_of(plain));
+    EXPECT_EQ(buffer.size(), 0u);
+  }
+}
+
+// Comparing each with all others would end in no time that a test has.
+TEST(PackingBuffer, TakesVeryManyOfOneCost) {
+  constexpr core::ArcId kMany = 300000;
+  PackingBuffer buffer(kMany);
+  for (int time = 0; time < 2; ++time) {
+    for (core::ArcId a = 0; a < kMany; ++a) EXPECT_EQ(buffer.add({{a, a + kMany}, 1}), time == 0);
+  }
+  EXPECT_EQ(buffer.cutoff(), 1);
+}
+
 TEST(CheapestChoices, HasNoWayThroughAnEmptyList) {
   EXPECT_THAT(cheapest_choices({}, 4), ElementsAre(IsEmpty())) << "one way to choose of no lists";
   EXPECT_EQ(cheapest_choices({{{{1}, -2}, {{}, 0}}}, 4).size(), 2u);

@@ -83,10 +83,11 @@ TEST(RankByTree, AgreesWithBruteForce) {
               instance.component, instance.slack, budget, margin, {}, known, leaf_work);
           ASSERT_TRUE(tree.complete);
           branched += tree.nodes > 1;
-          ASSERT_GE(known.packings().size(), std::min(k, within));
+          const std::vector<core::Packing> packings = known.take();
+          ASSERT_GE(packings.size(), std::min(k, within));
           std::set<std::vector<core::ArcId>> different;
-          for (std::size_t r = 0; r < known.packings().size(); ++r) {
-            const core::Packing& packing = known.packings()[r];
+          for (std::size_t r = 0; r < packings.size(); ++r) {
+            const core::Packing& packing = packings[r];
             ASSERT_EQ(packing.cost, slack_of_packing(instance.slack, packing.arcs));
             core::Packing costed = core::make_packing(instance.component, packing.arcs);
             ASSERT_EQ(support::packing_fault(instance.component, costed), "");
