@@ -35,15 +35,7 @@ using core::ArcId;
 namespace {
 
 constexpr std::size_t kFirstPass = 10;  // ranks that the first pass is for, or more
-constexpr std::size_t kGrowth = 4;      // from pass to pass, at most
-
-// Such that kGrowth times as many, and so on, end at what is planned.
-std::size_t first_pass(std::size_t listed, std::size_t planned) {
-  const std::size_t least = std::max(kFirstPass, listed + 1);
-  std::size_t count = planned;
-  while (count / kGrowth >= least) count = count / kGrowth + (count % kGrowth == 0 ? 0 : 1);
-  return count;
-}
+constexpr std::size_t kPassGrowth = 4;  // from pass to pass, at most
 
 // The arcs that no bound of 0 forbids.
 std::vector<ArcId> usable_arcs(const Problem& problem) {
@@ -70,11 +62,11 @@ bool BoundedRanker::list(std::size_t enough, std::size_t planned, const RankLimi
   if (!look(limits.deadline)) return false;
   RankLimits left = limits;
   const std::int64_t before = nodes_;
-  std::size_t count = first_pass(listed_.size(), planned);
+  std::size_t count = first_pass(std::max(kFirstPass, listed_.size() + 1), kPassGrowth, planned);
   while (!is_done()) {
     if (!pass(count, left) || count == planned) break;
     left.max_nodes = limits.max_nodes - (nodes_ - before);
-    count = std::min(planned, kGrowth * count);
+    count = std::min(planned, kPassGrowth * count);
   }
   return is_done();
 }

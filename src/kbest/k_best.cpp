@@ -28,14 +28,16 @@ void rank(const Problem& problem, Solution& solution, std::size_t k, const Optio
   const std::unique_ptr<kbest::Ranker> ranker = kbest::make_ranker(problem, solution);
   const std::size_t enough = solution.proven ? k : 1;
   ranker->list(enough, k, {options.branch.max_nodes - solution.stats.nodes, deadline});
-  std::vector<RankedSolution> ranks = ranker->listed();
-  if (ranks.empty()) ranks = solution.solutions;
-  if (ranks.size() > k) ranks.resize(k);
-  if (!ranker->has_all() && ranks.size() < k)
-    std::ranges::move(ranker->unlisted(0, k - ranks.size(), deadline), std::back_inserter(ranks));
-  solution.lists_all = ranker->has_all() && ranks.size() == ranker->listed().size();
-  kbest::adopt(problem, solution, std::move(ranks));
+  const std::size_t listed = std::max<std::size_t>(1, ranker->listed().size());
+  std::vector<RankedSolution> others;
+  if (!ranker->has_all() && listed < k) others = ranker->unlisted(0, k - listed, deadline);
+  solution.lists_all = ranker->has_all() && listed <= k;
   solution.stats.nodes += ranker->nodes();
+  std::vector<RankedSolution> ranks = ranker->take();
+  if (ranks.empty()) ranks = std::move(solution.solutions);
+  if (ranks.size() > k) ranks.resize(k);
+  std::ranges::move(others, std::back_inserter(ranks));
+  kbest::adopt(problem, solution, std::move(ranks));
   solution.stats.solve_seconds += deadline.seconds();
 }
 

@@ -30,6 +30,8 @@ class Ranker {
   /// Each is proven: no other choice of so many is better.  All different; costs ascend but for
   /// rounding.  The first is that of the solution.
   const std::vector<RankedSolution>& listed() const { return listed_; }
+  /// The same, when it has no more to do.
+  std::vector<RankedSolution> take() { return std::move(listed_); }
   /// There are no others.
   bool has_all() const { return has_all_; }
   /// Searched since the beginning.

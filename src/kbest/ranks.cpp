@@ -37,11 +37,16 @@ void take_cost(const Problem& problem, Solution& solution, RankedSolution& first
 
 }  // namespace
 
+std::size_t first_pass(std::size_t least, std::size_t growth, std::size_t planned) {
+  std::size_t count = planned;
+  while (count / growth >= least) count = (count - 1) / growth + 1;
+  return count;
+}
+
 void sort_by_cost(std::vector<RankedSolution>& ranks, std::size_t first) {
-  std::stable_sort(
-      ranks.begin() + static_cast<std::ptrdiff_t>(first),
-      ranks.end(),
-      [](const RankedSolution& a, const RankedSolution& b) { return a.cost < b.cost; });
+  const auto added = std::span(ranks).subspan(first);
+  if (std::ranges::is_sorted(added, {}, &RankedSolution::cost)) return;
+  std::ranges::stable_sort(added, {}, &RankedSolution::cost);
 }
 
 void number(std::vector<RankedSolution>& ranks) {

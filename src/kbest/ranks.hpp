@@ -11,6 +11,12 @@ namespace nda::kbest {
 
 // Lists of solutions.
 
+/// How many ranks the first pass is for where long lists are made in passes, each for `growth`
+/// times as many as the one before: a limit leaves what the last whole pass proved, and all of them
+/// take little more than the last.  That is `least` or more, unless less is planned, and such that
+/// the passes end at what is planned.
+std::size_t first_pass(std::size_t least, std::size_t growth, std::size_t planned);
+
 /// All from number `first` on; those of equal cost keep their order.
 void sort_by_cost(std::vector<RankedSolution>& ranks, std::size_t first = 0);
 

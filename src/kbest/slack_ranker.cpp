@@ -9,6 +9,7 @@
 #include "core/component.hpp"
 #include "core/slices.hpp"
 #include "decompose/components.hpp"
+#include "kbest/arc_sets.hpp"
 #include "kbest/ranks.hpp"
 #include "kbest/sums.hpp"
 #include "solve/component_solver.hpp"
@@ -36,6 +37,9 @@
 // Sums are begun anew after every search and those listed before are passed over: of equal ones
 // either search may list others first, so only the arcs tell.
 //
+// A limit leaves nothing of a search that it stops.  So very long lists are made in passes
+// (kbest/ranks.hpp).
+//
 // Source of 1 and 2: reduced-cost fixing, against the k-th value; of 4: Lawler (1972).
 
 namespace nda::kbest {
@@ -44,11 +48,12 @@ using core::ArcId;
 
 namespace {
 
+constexpr std::size_t kFirstPass = 10000;   // ranks that the first pass is for, or more
+constexpr std::size_t kPassGrowth = 10;     // from pass to pass, at most
 constexpr std::size_t kFewNeighbours = 10;  // that are made whatever the clock says
 constexpr double kGrowth = 1.5;             // of the number of neighbours within reach
 constexpr double kBlindGrowth = 2;          // of the reach, where neighbours say nothing
 constexpr double kLeastGrowth = 1.25;       // beyond the reach from where on there may be more
-constexpr std::size_t kSumsBetweenLooks = 64;
 constexpr std::size_t kSortedBetweenLooks = 4096;
 
 // As many neighbours as have k combinations, if no two exclude each other, and as many again.
@@ -61,12 +66,6 @@ bool is_dearer(const SlackView::Neighbour& a, const SlackView::Neighbour& b) {
   return std::tie(a.rise, a.arc, a.second) > std::tie(b.rise, b.arc, b.second);
 }
 
-std::size_t hash_of(const std::vector<ArcId>& arcs) {
-  std::uint64_t hash = 0;
-  for (const ArcId a : arcs) hash = (hash ^ a) * 0x9E3779B97F4A7C15u;
-  return static_cast<std::size_t>(hash ^ hash >> 32);
-}
-
 }  // namespace
 
 SlackRanker::SlackRanker(const Problem& problem, const Solution& solution)
@@ -75,13 +74,15 @@ SlackRanker::SlackRanker(const Problem& problem, const Solution& solution)
 bool SlackRanker::list(std::size_t enough, std::size_t planned, const RankLimits& limits) {
   RankLimits left = limits;
   const std::int64_t before = nodes_;
-  const auto is_done = [&] { return has_all_ || listed_.size() >= enough; };
-  if (is_done()) return true;
+  const auto lists = [&](std::size_t count) { return has_all_ || listed_.size() >= count; };
+  if (lists(enough)) return true;
   if (!look(planned, limits.deadline)) return false;
-  while (!is_done()) {
+  std::size_t pass = first_pass(std::max(kFirstPass, listed_.size() + 1), kPassGrowth, planned);
+  while (!lists(enough)) {
     left.max_nodes = limits.max_nodes - (nodes_ - before);
-    if (limits.deadline.reached() || !widen(next_reach(planned, limits.deadline), planned, left))
+    if (limits.deadline.reached() || !widen(next_reach(pass, limits.deadline), pass, left))
       return false;
+    if (lists(pass)) pass = std::min(planned, kPassGrowth * pass);
   }
   return true;
 }
@@ -99,7 +100,10 @@ bool SlackRanker::look(std::size_t planned, const core::Deadline& deadline) {
   error_ =
       pipeline::precision_of(problem_.num_indices(), pipeline::largest_cost(problem_), {}).error;
   grid_ = core::find_grid(problem_, deadline).step;
-  append({view_->best()});
+  Combination best = kNothing;
+  for (const ArcId a : view_->best()) best = combinations_.join(best, combinations_.single(a));
+  append(best);
+  number(listed_);
   return true;
 }
 
@@ -210,38 +214,40 @@ bool SlackRanker::add_sums(double reach, std::size_t k, const core::Deadline& de
   for (const Part& part : parts_) lists.push_back(&part.list());
   is_cut_short_ = true;
   Sums sums(std::move(lists), combinations_);
-  std::vector<std::vector<ArcId>> found;
+  const std::size_t before = listed_.size();
   std::size_t count = 0;
-  for (; count < k; ++count) {
-    if (count % kSumsBetweenLooks == 0 && deadline.reached()) break;
+  for (; count < k && !deadline.reached(); ++count) {
     const std::optional<Ranked> sum = sums.next();
     is_cut_short_ = sum && sum->slack <= reach;
     if (!is_cut_short_) break;
-    std::vector<ArcId> arcs = combinations_.arcs(sum->arcs);
-    std::sort(arcs.begin(), arcs.end());
-    if (!is_listed(arcs)) found.push_back(std::move(arcs));
+    append(sum->arcs);
   }
-  append(std::move(found));
+  // By cost, which rounds otherwise than slack.
+  sort_by_cost(listed_, before);
+  number(listed_);
   has_all_ = !is_cut_short_ && reached() == kInfinity;
   return !is_cut_short_ || count == k;
 }
 
-bool SlackRanker::is_listed(const std::vector<ArcId>& arcs) const {
-  const auto [first, last] = by_hash_.equal_range(hash_of(arcs));
-  return std::any_of(first, last, [&](const auto& entry) { return arcs_[entry.second] == arcs; });
+std::vector<ArcId> SlackRanker::arcs_of(Combination combination) const {
+  std::vector<ArcId> arcs = combinations_.arcs(combination);
+  std::sort(arcs.begin(), arcs.end());
+  return arcs;
 }
 
-// By cost, which rounds otherwise than slack.
-void SlackRanker::append(std::vector<std::vector<ArcId>> found) {
-  const std::size_t before = listed_.size();
-  for (std::vector<ArcId>& arcs : found) {
-    by_hash_.emplace(hash_of(arcs), arcs_.size());
-    listed_.push_back(view_->solution_of(arcs));
-    listed_.back().proven = solution_.solutions.front().proven;
-    arcs_.push_back(std::move(arcs));
-  }
-  sort_by_cost(listed_, before);
-  number(listed_);
+bool SlackRanker::is_listed(const std::vector<ArcId>& arcs, std::size_t hash) const {
+  const auto [first, last] = by_hash_.equal_range(hash);
+  return std::any_of(first, last, [&](const auto& other) { return arcs_of(other.second) == arcs; });
+}
+
+// Unless it is listed.
+void SlackRanker::append(Combination combination) {
+  std::vector<ArcId> arcs = arcs_of(combination);
+  const std::size_t hash = ArcsHash()(arcs);
+  if (is_listed(arcs, hash)) return;
+  by_hash_.emplace(hash, combination);
+  listed_.push_back(view_->solution_of(std::move(arcs)));
+  listed_.back().proven = solution_.solutions.front().proven;
 }
 
 std::vector<RankedSolution> SlackRanker::unlisted(std::size_t skipped,
@@ -256,7 +262,7 @@ std::vector<RankedSolution> SlackRanker::unlisted(std::size_t skipped,
     if (n == neighbours_.size()) break;
     std::vector<ArcId> arcs = view_->arcs_of(neighbours_[n]);
     std::sort(arcs.begin(), arcs.end());
-    if (is_listed(arcs) || seen++ < skipped) continue;
+    if (is_listed(arcs, ArcsHash()(arcs)) || seen++ < skipped) continue;
     found.push_back(view_->solution_of(std::move(arcs)));
   }
   sort_by_cost(found);

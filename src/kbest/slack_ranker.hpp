@@ -36,8 +36,9 @@ class SlackRanker : public Ranker {
   bool split(double reach, std::size_t k, const core::Deadline& deadline);
   bool replace_parts(const std::vector<core::ArcId>& near, const core::Deadline& deadline);
   bool add_sums(double reach, std::size_t k, const core::Deadline& deadline);
-  bool is_listed(const std::vector<core::ArcId>& arcs) const;
-  void append(std::vector<std::vector<core::ArcId>> found);
+  bool is_listed(const std::vector<core::ArcId>& arcs, std::size_t hash) const;
+  std::vector<core::ArcId> arcs_of(Combination combination) const;
+  void append(Combination combination);
 
   const Problem& problem_;
   const Solution& solution_;
@@ -53,8 +54,7 @@ class SlackRanker : public Ranker {
   bool is_cut_short_ = false;                     // by the number asked for
   std::size_t within_ = 0;                        // neighbours that the reach was for
   Combinations combinations_;
-  std::vector<std::vector<core::ArcId>> arcs_;  // of those listed, in the order they were found
-  std::unordered_multimap<std::size_t, std::size_t> by_hash_;  // of the arcs, their number
+  std::unordered_multimap<std::size_t, Combination> by_hash_;  // arcs of those listed
 };
 
 }  // namespace nda::kbest
