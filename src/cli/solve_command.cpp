@@ -149,10 +149,11 @@ std::size_t num_missing(const RankedSolution& solution, const RankedSolution& ot
   return missing.size();
 }
 
-void print_ranks(const Solution& solution, bool all) {
+void print_ranks(const Solution& solution, RankingMethod method, bool all) {
   const std::vector<RankedSolution>& ranks = solution.solutions;
   if (ranks.empty()) return;
-  const bool is_cut_short = solution.proven && num_proven(solution) < ranks.size();
+  const bool is_cut_short =
+      method == RankingMethod::kExact && solution.proven && num_proven(solution) < ranks.size();
   print("ranks         %zu, %zu of them proven%s\n\n",
         ranks.size(),
         num_proven(solution),
@@ -294,7 +295,7 @@ int solve_file(const SolveArguments& arguments) {
     std::cout << solution_to_json(solution);
   } else {
     print_summary(solution);
-    if (arguments.k > 1) print_ranks(solution, arguments.verbose);
+    if (arguments.k > 1) print_ranks(solution, options.ranking.method, arguments.verbose);
     if (solution.marginals) print_marginals(solution, marginal_seconds, arguments.verbose);
     if (arguments.verbose) {
       print_components(solution);

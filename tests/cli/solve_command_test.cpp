@@ -59,6 +59,15 @@ TEST(SolveCommand, RanksSolutions) {
   EXPECT_EQ(run(folder, "nda solve a.nda --k 0").code, 2);
 }
 
+// Ranks without proof are no sign of a limit where no way proves them.
+TEST(SolveCommand, BlamesNoLimitForRanksByAlignments) {
+  const TemporaryFolder folder;
+  write_file(folder / "a.nda", "p nda 2 2 2 4\na 1 1 -1\na 2 2 -2\na 1 2 -1\na 2 1 -1\n");
+  const Outcome outcome = run(folder, "nda solve a.nda --k 2 --set ranking.method=alignments");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.output, HasSubstr("ranks         2, 1 of them proven\n"));
+}
+
 // The four of RanksSolutions weigh 1, 1, 1 and 1/e, of 3.367879.
 TEST(SolveCommand, WeighsWhatTheRanksHave) {
   const TemporaryFolder folder;
