@@ -69,11 +69,11 @@ class NearOptimal {
     const std::vector<double> u = multipliers(component);
     std::vector<Packing> found = search.rank(component, u);
     if (options_.ranking.local_search) improve(component, u, found, buffer);
-    for (Packing& packing : found) buffer.add(std::move(packing));
+    buffer.add_best(std::move(found), deadline_);
     solution_.stats.dual_evaluations += search.work().evaluations;
     solution_.stats.recoveries += search.work().leaves;
     solution_.stats.nodes += search.work().branches;
-    std::vector<Packing> packings = buffer.take();
+    std::vector<Packing> packings = buffer.take(deadline_);
     if (c < solution_.components.size())
       solution_.components[c].cost += packings.front().cost - before;
     for (Packing& packing : packings) {
@@ -92,6 +92,7 @@ class NearOptimal {
     core::Random random(options_.seed);
     const double lower = std::accumulate(u.begin(), u.end(), 0.0);
     for (const Packing& packing : packings) {
+      if (deadline_.reached()) return;
       buffer.add(recovery::search_core(
           component, u, packing.cost - lower, packing, options, random, deadline_));
     }
@@ -130,7 +131,7 @@ class NearOptimal {
   std::vector<RankedSolution> solutions() const {
     std::vector<RankedSolution> ranks;
     for (const PackingChoice& choice : cheapest_choices(lists_, k_, deadline_)) {
-      if (!ranks.empty() && deadline_.reached()) break;
+      if (ranks.size() >= kFewPackings && deadline_.reached()) break;
       std::vector<ArcId> arcs;
       for (const auto& [c, i] : choice)
         arcs.insert(arcs.end(), lists_[c][i].arcs.begin(), lists_[c][i].arcs.end());

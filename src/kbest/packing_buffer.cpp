@@ -32,6 +32,11 @@ bool PackingBuffer::add(core::Packing packing) {
   return true;
 }
 
+void PackingBuffer::add_best(std::vector<core::Packing> packings, const core::Deadline& deadline) {
+  for (std::size_t n = 0; n < packings.size() && (n < kFewPackings || !deadline.reached()); ++n)
+    add(std::move(packings[n]));
+}
+
 void PackingBuffer::resize(std::size_t k) {
   k_ = k;
   while (size() > k_) drop_last();
@@ -46,12 +51,14 @@ const std::vector<PackingBuffer::Kept>& PackingBuffer::packings() {
   return sorted_;
 }
 
-std::vector<core::Packing> PackingBuffer::take() {
+std::vector<core::Packing> PackingBuffer::take(const core::Deadline& deadline) {
   std::vector<core::Packing> taken;
-  taken.reserve(size());
-  for (const Kept& kept : packings())
+  for (const Kept& kept : packings()) {
+    if (taken.size() >= kFewPackings && deadline.reached()) break;
     taken.push_back({std::move(arcs_.extract(*kept.arcs).value()), kept.cost});
+  }
   sorted_.clear();
+  arcs_.clear();
   return taken;
 }
 

@@ -4,11 +4,15 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/clock.hpp"
 #include "core/component.hpp"
 #include "kbest/arc_sets.hpp"
 #include "nda/types.hpp"
 
 namespace nda::kbest {
+
+/// So many of a list are handed on whatever the clock says.
+inline constexpr std::size_t kFewPackings = 10;
 
 /// The solution buffer of partial branch and bound: the k best packings ever found, no two the
 /// same; of equal cost those found first.
@@ -27,6 +31,8 @@ class PackingBuffer {
   /// Keeps it if it is new and among the k best.  Its arcs ascend, and their cost is always the
   /// same.  Returns whether it did.  Cost: O(log k), and its arcs once.
   bool add(core::Packing packing);
+  /// All of a list, best first, or those that there is time for, and a few.
+  void add_best(std::vector<core::Packing> packings, const core::Deadline& deadline);
 
   /// What a packing must cost less than to be kept; +inf as long as there are fewer than k.
   double cutoff() const { return size() < k_ ? kInfinity : last().cost; }
@@ -37,8 +43,8 @@ class PackingBuffer {
   void resize(std::size_t k);
   /// Best first, until one is added.  Cost: O(k) after additions, and sorting these.
   const std::vector<Kept>& packings();
-  /// The same; nothing is left.
-  std::vector<core::Packing> take();
+  /// The same, or those that there is time for, and a few; nothing is left.
+  std::vector<core::Packing> take(const core::Deadline& deadline = {});
 
  private:
   bool is_last_recent() const;

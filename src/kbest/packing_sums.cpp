@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "kbest/combinations.hpp"
+#include "kbest/packing_buffer.hpp"
 #include "kbest/sums.hpp"
 
 namespace nda::kbest {
@@ -27,7 +28,7 @@ std::vector<PackingChoice> cheapest_choices(const std::vector<std::vector<core::
     pointers.push_back(&ranked[list]);
   }
   Sums sums(std::move(pointers), combinations);
-  while (choices.size() < k && (choices.empty() || !deadline.reached())) {
+  while (choices.size() < k && (choices.size() < kFewPackings || !deadline.reached())) {
     const std::optional<Ranked> next = sums.next();
     if (!next) break;
     PackingChoice& choice = choices.emplace_back();

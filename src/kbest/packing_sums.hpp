@@ -13,7 +13,7 @@ namespace nda::kbest {
 using PackingChoice = std::vector<std::pair<std::size_t, std::size_t>>;
 
 /// The k cheapest ways to choose one packing of each list, cheapest first.  The lists ascend by
-/// cost; where one is empty there is no way.  The first one at least, and those before the
+/// cost; where one is empty there is no way.  The first few at least, and those before the
 /// deadline.  Cost: O(lists log lists + k (log k + lists)).
 std::vector<PackingChoice> cheapest_choices(const std::vector<std::vector<core::Packing>>& lists,
                                             std::size_t k,

@@ -63,10 +63,9 @@ std::vector<Packing> PartialBranchAndBound::rank(const Component& component,
   PackingBuffer buffer(k_);
   for (const Alignment& alignment : relaxed.alignments) {
     if (deadline_.reached()) break;
-    for (Packing& packing : follow(stage, alignment, std::min(cutoff, buffer.cutoff())))
-      buffer.add(std::move(packing));
+    buffer.add_best(follow(stage, alignment, std::min(cutoff, buffer.cutoff())), deadline_);
   }
-  return buffer.take();
+  return buffer.take(deadline_);
 }
 
 // In two dimensions relaxed solutions are solutions, and the k best are known exactly.
@@ -75,7 +74,7 @@ std::vector<Packing> PartialBranchAndBound::assign(const Component& component, d
   relax::DualFunction function(component, options_.relaxation.assign2d, deadline_);
   function.evaluate({}, {});
   Assign2dRanking ranking(function.assignment());
-  PackingBuffer buffer(k_);
+  std::vector<Packing> packings;
   Assign2dResult answer;
   for (std::size_t rank = 0; rank < k_ && !deadline_.reached() && ranking.next(answer); ++rank) {
     std::vector<ArcId> arcs;
@@ -83,9 +82,10 @@ std::vector<Packing> PartialBranchAndBound::assign(const Component& component, d
       arcs.push_back(function.cells().first_arc[cell]);
     Packing packing = core::make_packing(component, std::move(arcs));
     if (packing.cost >= cutoff) break;
-    buffer.add(std::move(packing));
+    packings.push_back(std::move(packing));
   }
-  return buffer.take();
+  std::ranges::stable_sort(packings, {}, &Packing::cost);  // that of assignments rounds otherwise
+  return packings;
 }
 
 // Murty's branching rule: the best assignments of the multipliers where `best` was found.
@@ -137,6 +137,7 @@ std::vector<Packing> PartialBranchAndBound::follow(const Stage& stage,
   }
   std::vector<Packing> packings;
   for (const PackingChoice& choice : cheapest_choices(lists, k_, deadline_)) {
+    if (packings.size() >= kFewPackings && deadline_.reached()) break;
     std::vector<ArcId> arcs;
     for (const auto& [p, i] : choice) {
       for (const ArcId a : lists[p][i].arcs) arcs.push_back(parts[p].arc_origin[a]);

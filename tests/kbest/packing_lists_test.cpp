@@ -75,6 +75,21 @@ TEST(PackingBuffer, TakesVeryManyOfOneCost) {
   EXPECT_EQ(buffer.cutoff(), 1);
 }
 
+TEST(PackingLists, HandOnAFewWhateverTheClockSays) {
+  std::vector<Packing> packings;
+  for (core::ArcId a = 0; a < 50; ++a) packings.push_back({{a}, static_cast<double>(a)});
+  const core::Deadline passed(0);
+  EXPECT_EQ(cheapest_choices({packings}, 50, passed).size(), kFewPackings);
+  PackingBuffer few(50);
+  few.add_best(packings, passed);
+  EXPECT_EQ(few.size(), kFewPackings);
+  PackingBuffer all(50);
+  all.add_best(packings, {});
+  EXPECT_EQ(all.size(), packings.size());
+  EXPECT_EQ(costs_of(all.take(passed)), costs_of(few.take()));
+  EXPECT_EQ(all.size(), 0u);
+}
+
 TEST(CheapestChoices, HasNoWayThroughAnEmptyList) {
   EXPECT_THAT(cheapest_choices({}, 4), ElementsAre(IsEmpty())) << "one way to choose of no lists";
   EXPECT_EQ(cheapest_choices({{{{1}, -2}, {{}, 0}}}, 4).size(), 2u);
