@@ -1,6 +1,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "nda/io.hpp"
 
@@ -97,13 +99,6 @@ Json stats(const Stats& stats) {
           {"bound_by_branching", stats.bound_by_branching}};
 }
 
-template <typename Item, typename Convert>
-Json array(const std::vector<Item>& items, Convert convert) {
-  Json result = Json::array();
-  for (const Item& item : items) result.push_back(convert(item));
-  return result;
-}
-
 Json arc_marginal(const ArcMarginal& marginal) {
   return {{"arc", marginal.arc}, {"weight", number(marginal.weight)}};
 }
@@ -122,64 +117,77 @@ Json ambiguous_index(const AmbiguousIndex& index) {
           {"arcs", index.arcs}};
 }
 
-Json marginals_of(const Marginals& marginals) {
-  return {{"cost_per_nat", number(marginals.cost_per_nat)},
-          {"num_proven", marginals.num_proven},
-          {"weights", numbers(marginals.weights)},
-          {"arcs", array(marginals.arcs, arc_marginal)},
-          {"pairs", array(marginals.pairs, pair_marginal)},
-          {"alone", array(marginals.alone, numbers)},
-          {"ambiguous", array(marginals.ambiguous, ambiguous_index)}};
-}
-
 std::string one_line(const Json& value) {
   return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string list_text(const Json& list, const std::string& indent) {
-  if (list.empty() || !list.front().is_structured()) return one_line(list);
-  std::string result = "[";
-  for (const Json& element : list) {
-    result += (result.size() > 1 ? ",\n  " : "\n  ") + indent + one_line(element);
-  }
-  return result + "\n" + indent + "]";
-}
+// An object as text, to which a list of any length adds no more than its own text.
+class ObjectText {
+ public:
+  explicit ObjectText(std::string indent) : indent_(std::move(indent)) {}
 
-// Fields a line each; of the objects among them only the marginals are that large.
-std::string object_text(const Json& object, const std::string& indent) {
-  const std::string inner = indent + "  ";
-  std::string result = "{";
-  for (const auto& field : object.items()) {
-    const Json& value = field.value();
-    result += (result.size() > 1 ? ",\n" : "\n") + inner + "\"" + field.key() + "\": ";
-    result += value.is_array()             ? list_text(value, inner)
-              : field.key() == "marginals" ? object_text(value, inner)
-                                           : one_line(value);
+  void add(const char* name, const Json& value) { begin(name) += one_line(value); }
+
+  // An element a line.
+  template <typename Item, typename Convert>
+  void add_list(const char* name, const std::vector<Item>& items, Convert convert) {
+    std::string& text = begin(name) += "[";
+    for (const Item& item : items) {
+      text += &item == &items.front() ? "\n    " : ",\n    ";
+      text += indent_;
+      text += one_line(convert(item));
+    }
+    text += items.empty() ? "]" : "\n  " + indent_ + "]";
   }
-  return result + "\n" + indent + "}";
+
+  void add_object(const char* name, const std::string& text) { begin(name) += text; }
+
+  std::string end() { return std::move(text_) + "\n" + indent_ + "}"; }
+
+ private:
+  std::string& begin(const char* name) {
+    text_ += text_.size() > 1 ? ",\n  " : "\n  ";
+    return text_ += indent_ + "\"" + name + "\": ";
+  }
+
+  std::string indent_;
+  std::string text_ = "{";
+};
+
+std::string marginals_text(const Marginals& marginals) {
+  ObjectText text("  ");
+  text.add("cost_per_nat", number(marginals.cost_per_nat));
+  text.add("num_proven", marginals.num_proven);
+  text.add("weights", numbers(marginals.weights));
+  text.add_list("arcs", marginals.arcs, arc_marginal);
+  text.add_list("pairs", marginals.pairs, pair_marginal);
+  text.add_list("alone", marginals.alone, numbers);
+  text.add_list("ambiguous", marginals.ambiguous, ambiguous_index);
+  return text.end();
 }
 
 }  // namespace
 
 std::string solution_to_json(const Solution& solution) {
-  Json document = {{"format", "nda-solution"},
-                   {"version", 1},
-                   {"instance", instance(solution)},
-                   {"status", to_string(solution.status)},
-                   {"proven", solution.proven},
-                   {"reason", solution.reason},
-                   {"cost", number(solution.cost)},
-                   {"lower_bound", number(solution.lower_bound)},
-                   {"gap", number(solution.gap())},
-                   {"relative_gap", number(solution.relative_gap())},
-                   {"solutions", array(solution.solutions, ranked_solution)},
-                   {"multipliers", array(solution.multipliers, numbers)},
-                   {"cuts", Json::array()},
-                   {"components", array(solution.components, component)},
-                   {"stats", stats(solution.stats)}};
-  if (solution.lists_all) document["lists_all"] = true;
-  if (solution.marginals) document["marginals"] = marginals_of(*solution.marginals);
-  return object_text(document, "") + "\n";
+  ObjectText text("");
+  text.add("format", "nda-solution");
+  text.add("version", 1);
+  text.add("instance", instance(solution));
+  text.add("status", to_string(solution.status));
+  text.add("proven", solution.proven);
+  text.add("reason", solution.reason);
+  text.add("cost", number(solution.cost));
+  text.add("lower_bound", number(solution.lower_bound));
+  text.add("gap", number(solution.gap()));
+  text.add("relative_gap", number(solution.relative_gap()));
+  text.add_list("solutions", solution.solutions, ranked_solution);
+  text.add_list("multipliers", solution.multipliers, numbers);
+  text.add("cuts", Json::array());
+  text.add_list("components", solution.components, component);
+  text.add("stats", stats(solution.stats));
+  if (solution.lists_all) text.add("lists_all", true);
+  if (solution.marginals) text.add_object("marginals", marginals_text(*solution.marginals));
+  return text.end() + "\n";
 }
 
 }  // namespace nda
