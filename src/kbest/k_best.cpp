@@ -14,6 +14,7 @@
 #include "kbest/ranks.hpp"
 #include "nda/solve.hpp"
 #include "solve/costs.hpp"
+#include "solve/process.hpp"
 #include "solve/supervision.hpp"
 
 namespace nda {
@@ -56,6 +57,7 @@ Solution solve_k_best(const Problem& problem, std::size_t k, const Options& opti
   } else if (k > 1) {
     rank(problem, solution, k, options);
   }
+  solution.stats.peak_memory_bytes = pipeline::peak_memory_bytes();
   return solution;
 }
 

@@ -8,6 +8,7 @@
 #include "kbest/ranking_progress.hpp"
 #include "nda/k_best.hpp"
 #include "nda/solve.hpp"
+#include "solve/process.hpp"
 #include "solve/supervision.hpp"
 
 // Ranks are listed some at a time, twice as many as were given: every search then finds as many as
@@ -102,6 +103,7 @@ class Ranking::State {
     const bool found = list({options.branch.max_nodes, supervision.deadline()});
     solution_.stats.nodes += ranker_->nodes() - nodes;
     solution_.stats.solve_seconds += supervision.deadline().seconds();
+    solution_.stats.peak_memory_bytes = pipeline::peak_memory_bytes();
     return found;
   }
 

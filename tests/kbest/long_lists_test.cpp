@@ -85,6 +85,16 @@ TEST(LongLists, AreLeftWithWhatAPassProved) {
   EXPECT_EQ(costs_of(ranker->listed()), costs_of(solve_k_best(problem, 10000).solutions));
 }
 
+TEST(LongLists, CountTheirMemory) {
+  const Solution solution = solve_k_best(square(), 30000);
+  std::size_t bytes = 0;
+  for (const RankedSolution& ranked : solution.solutions) {
+    bytes += sizeof(ranked) + ranked.arcs.size() * sizeof(ranked.arcs.front());
+    for (const std::vector<Index>& arc : ranked.arcs) bytes += arc.size() * sizeof(Index);
+  }
+  EXPECT_GT(solution.stats.peak_memory_bytes, bytes);
+}
+
 // A search that nodes stop has thousands to note: the clock is looked at all the while.
 TEST(LongLists, AreNotedUnderTheClock) {
   const Problem problem = square();
