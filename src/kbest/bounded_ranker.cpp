@@ -8,6 +8,7 @@
 #include "bounded/branch_and_bound.hpp"
 #include "bounded/parts.hpp"
 #include "bounded/split.hpp"
+#include "core/lists.hpp"
 #include "kbest/ranks.hpp"
 #include "kbest/sums.hpp"
 #include "solve/bounded_part.hpp"
@@ -34,8 +35,10 @@ using core::ArcId;
 
 namespace {
 
-constexpr std::size_t kFirstPass = 10;  // ranks that the first pass is for, or more
-constexpr std::size_t kPassGrowth = 4;  // from pass to pass, at most
+constexpr std::size_t kFirstPass = 10;      // ranks that the first pass is for, or more
+constexpr std::size_t kFewNeighbours = 10;  // that are made whatever the clock says
+constexpr std::size_t kFewSums = 100;       // the same
+constexpr std::size_t kPassGrowth = 4;      // from pass to pass, at most
 
 // The arcs that no bound of 0 forbids.
 std::vector<ArcId> usable_arcs(const Problem& problem) {
@@ -77,22 +80,31 @@ bool BoundedRanker::pass(std::size_t k, const RankLimits& limits) {
   const double reach = is_bounded ? std::max(0.0, neighbours_[k - 2].rise) : kInfinity;
   core::Cutter cutter;
   const BoundedComponent near = bounded::cut_arcs(whole_, arcs_within(reach), cutter);
+  std::vector<BoundedComponent> cut = bounded::cut_parts(near, limits.deadline);
+  std::size_t seen = 0;
+  std::vector<std::size_t> part_of(whole_.num_arcs(), cut.size());
+  for (std::size_t p = 0; p < cut.size(); ++p) {
+    std::vector<ArcId>& arcs = cut[p].graph.arc_origin;
+    arcs = core::at_positions(near.graph.arc_origin, arcs);
+    for (const ArcId a : arcs) part_of[a] = p;
+    seen += arcs.size();
+  }
+  if (seen < near.num_arcs()) return false;
+  const core::Lists<std::size_t> neighbours(cut.size() + 1, [&](auto&& visit) {
+    for (std::size_t n = 0; n < neighbours_.size() && n + 1 < k; ++n)
+      visit(part_of[neighbours_[n].changed.front()], n);
+  });
   RankLimits left = limits;
   const std::int64_t before = nodes_;
   Combinations combinations;
   std::vector<PartList> parts;
-  std::size_t seen = 0;
-  for (BoundedComponent& part : bounded::cut_parts(near, limits.deadline)) {
-    seen += part.num_arcs();
-    const std::vector<ArcId> arcs =
-        core::at_positions(near.graph.arc_origin, part.graph.arc_origin);
+  for (std::size_t p = 0; p < cut.size(); ++p) {
     left.max_nodes = std::max<std::int64_t>(0, limits.max_nodes - (nodes_ - before));
-    parts.push_back(rank(std::move(part), arcs, reach, k, left, combinations));
+    parts.push_back(rank(std::move(cut[p]), neighbours[p], reach, k, left, combinations));
   }
-  if (seen < near.num_arcs()) return false;
-  add_sums(parts, k, combinations);
-  return std::all_of(
-      parts.begin(), parts.end(), [](const PartList& part) { return part.is_complete; });
+  return add_sums(parts, k, limits.deadline, combinations) &&
+         std::all_of(
+             parts.begin(), parts.end(), [](const PartList& part) { return part.is_complete; });
 }
 
 // At the problem, once; the best solution is listed.
@@ -136,19 +148,26 @@ std::vector<ArcId> BoundedRanker::arcs_within(double reach) const {
   return arcs;
 }
 
-// `arcs` are those of the part, in the whole.
+// The origins of the part's arcs are those of the whole.
 BoundedRanker::PartList BoundedRanker::rank(BoundedComponent part,
-                                            std::span<const ArcId> arcs,
+                                            std::span<const std::size_t> neighbours,
                                             double reach,
                                             std::size_t k,
                                             const RankLimits& limits,
                                             Combinations& combinations) {
-  std::vector<Choice> starts = {make_choice(part, core::positions_in(arcs, best_))};
-  const Choice best = starts.front();
-  for (std::size_t n = 0; n < neighbours_.size() && n + 1 < k; ++n) {
-    const BoundedNeighbour& neighbour = neighbours_[n];
-    if (!std::binary_search(arcs.begin(), arcs.end(), neighbour.changed.front())) continue;
-    starts.push_back(make_choice(part, core::positions_in(arcs, arcs_of(neighbour, best_))));
+  const std::vector<ArcId> arcs = part.graph.arc_origin;
+  const Choice best = make_choice(part, core::positions_in(arcs, best_));
+  const auto ranked = [&](const Choice& choice) {
+    Combination combination = kNothing;
+    for (const ArcId a : choice.arcs)
+      combination = combinations.join(combination, combinations.single(arcs[a]));
+    return Ranked{choice.cost - best.cost, combination};
+  };
+  if (limits.deadline.reached()) return {{ranked(best)}, 0, false};
+  std::vector<Choice> starts = {best};
+  for (const std::size_t n : neighbours) {
+    if (starts.size() > kFewSums && limits.deadline.reached()) break;
+    starts.push_back(make_choice(part, core::positions_in(arcs, arcs_of(neighbours_[n], best_))));
   }
   bounded::Wanted wanted{k, kInfinity, true};
   if (reach < kInfinity) {
@@ -160,12 +179,7 @@ BoundedRanker::PartList BoundedRanker::rank(BoundedComponent part,
   const bounded::SearchResult found = list_best(part, starts, zero, wanted, search);
   nodes_ += found.nodes;
   PartList result;
-  for (const Choice& choice : found.choices) {
-    Combination combination = kNothing;
-    for (const ArcId a : choice.arcs)
-      combination = combinations.join(combination, combinations.single(arcs[a]));
-    result.list.push_back({choice.cost - best.cost, combination});
-  }
+  for (const Choice& choice : found.choices) result.list.push_back(ranked(choice));
   result.is_complete = found.end == bounded::SearchEnd::kComplete;
   if (!result.is_complete) {
     result.reached = found.lower - best.cost;
@@ -175,9 +189,10 @@ BoundedRanker::PartList BoundedRanker::rank(BoundedComponent part,
   return result;
 }
 
-// Lists the k least sums, as far as the parts prove them.
-void BoundedRanker::add_sums(const std::vector<PartList>& parts,
+// Lists the k least sums, as far as the parts prove them; false at the deadline.
+bool BoundedRanker::add_sums(const std::vector<PartList>& parts,
                              std::size_t k,
+                             const core::Deadline& deadline,
                              Combinations& combinations) {
   std::vector<const RankedList*> lists;
   double reached = kInfinity;
@@ -190,7 +205,12 @@ void BoundedRanker::add_sums(const std::vector<PartList>& parts,
   const std::size_t before = listed_.size();
   std::optional<Ranked> sum;
   std::size_t count = 0;
+  bool is_whole = true;
   for (; count < k && (sum = sums.next()); ++count) {
+    if (count >= kFewSums && deadline.reached()) {
+      is_whole = false;
+      break;
+    }
     std::vector<ArcId> arcs = combinations.arcs(sum->arcs);
     std::sort(arcs.begin(), arcs.end());
     if (known_.count(arcs) > 0) continue;
@@ -204,7 +224,8 @@ void BoundedRanker::add_sums(const std::vector<PartList>& parts,
   }
   sort_by_cost(listed_, before);
   number(listed_);
-  has_all_ = reached == kInfinity && count < k;
+  has_all_ = is_whole && reached == kInfinity && count < k;
+  return is_whole;
 }
 
 RankedSolution BoundedRanker::solution_of(std::span<const ArcId> arcs) const {
@@ -217,14 +238,19 @@ std::vector<RankedSolution> BoundedRanker::unlisted(std::size_t skipped,
                                                     const core::Deadline& deadline) {
   std::vector<RankedSolution> found;
   if (!look(deadline)) return found;
-  std::set<std::vector<ArcId>> seen = known_;
+  ArcSets seen;
   const auto add = [&](std::vector<ArcId> arcs) {
+    if (found.size() >= kFewNeighbours && deadline.reached()) return false;
+    if (known_.count(arcs) > 0) return true;
     const auto [place, is_new] = seen.insert(std::move(arcs));
     if (is_new) found.push_back(solution_of(*place));
+    return true;
   };
-  for (const std::vector<ArcId>& arcs : spare_) add(arcs);
-  for (std::size_t n = 0; n < neighbours_.size() && n < skipped + count + listed_.size(); ++n)
-    add(arcs_of(neighbours_[n], best_));
+  std::size_t n = 0;
+  while (n < spare_.size() && add(spare_[n])) ++n;
+  const std::size_t last = std::min(neighbours_.size(), skipped + count + listed_.size());
+  n = 0;
+  while (n < last && add(arcs_of(neighbours_[n], best_))) ++n;
   sort_by_cost(found);
   found.erase(found.begin(),
               found.begin() + static_cast<std::ptrdiff_t>(std::min(skipped, found.size())));

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstddef>
-#include <set>
 #include <span>
 #include <vector>
 
 #include "bounded/bounded_component.hpp"
+#include "kbest/arc_sets.hpp"
 #include "kbest/bounded_neighbours.hpp"
 #include "kbest/combinations.hpp"
 #include "kbest/ranker.hpp"
@@ -36,12 +36,15 @@ class BoundedRanker : public Ranker {
   bool pass(std::size_t k, const RankLimits& limits);
   std::vector<core::ArcId> arcs_within(double reach) const;
   PartList rank(bounded::BoundedComponent part,
-                std::span<const core::ArcId> arcs,
+                std::span<const std::size_t> neighbours,
                 double reach,
                 std::size_t k,
                 const RankLimits& limits,
                 Combinations& combinations);
-  void add_sums(const std::vector<PartList>& parts, std::size_t k, Combinations& combinations);
+  bool add_sums(const std::vector<PartList>& parts,
+                std::size_t k,
+                const core::Deadline& deadline,
+                Combinations& combinations);
   RankedSolution solution_of(std::span<const core::ArcId> arcs) const;
 
   const Problem& problem_;
@@ -51,7 +54,7 @@ class BoundedRanker : public Ranker {
   double margin_ = 0;                // solutions whose costs differ at all differ by more
   double error_ = 0;                 // of rounding
   std::vector<BoundedNeighbour> neighbours_;
-  std::set<std::vector<core::ArcId>> known_;     // arcs of those listed
+  ArcSets known_;                                // arcs of those listed
   std::vector<std::vector<core::ArcId>> spare_;  // of those found and not proven
   bool has_looked_ = false;
 };

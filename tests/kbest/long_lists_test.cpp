@@ -74,6 +74,13 @@ TEST(LongLists, EndWithTheClock) {
     expect_end_with_the_clock(square(), 3000, at_strike);
 }
 
+TEST(LongLists, EndWithTheClockWhereUsesHaveBounds) {
+  BoundedOptions options;
+  options.size = 6;
+  options.arcs = 40;
+  expect_end_with_the_clock(generate_bounded(options).problem, 500, 300);
+}
+
 // The first pass is for 10,000.
 TEST(LongLists, AreLeftWithWhatAPassProved) {
   const Problem problem = square();
