@@ -99,6 +99,7 @@ class CliqueSearch {
     for (std::uint32_t a = 0; a < number_.size(); ++a) open.insert(a);
     explore(open, 0);
     CliqueRanking result;
+    std::sort_heap(found_.begin(), found_.end(), comes_before);
     for (const Found& found : found_) {
       CliquePacking& packing = result.packings.emplace_back();
       packing.gain = units_.value(found.gain);
@@ -115,8 +116,12 @@ class CliqueSearch {
   using Set = ArcSet<kWords>;
   struct Found {
     Gain gain;
+    std::uint64_t number;  // in this order
     std::vector<std::uint32_t> arcs;
   };
+  static bool comes_before(const Found& a, const Found& b) {
+    return a.gain != b.gain ? a.gain > b.gain : a.number < b.number;
+  }
 
   // Arcs with few neighbours get small numbers, which decide ties.
   void link(const CliqueProblem& problem) {
@@ -193,11 +198,13 @@ class CliqueSearch {
 
   // Among the k best found, behind those that gain as much.
   [[gnu::noinline]] void keep_chosen(Gain gain) {
-    const auto place = std::find_if(
-        found_.begin(), found_.end(), [&](const Found& found) { return found.gain < gain; });
-    found_.insert(place, {gain, chosen_});
-    if (found_.size() > k_) found_.pop_back();
-    if (found_.size() == k_) cutoff_ = found_.back().gain;
+    found_.push_back({gain, num_found_++, chosen_});
+    std::push_heap(found_.begin(), found_.end(), comes_before);
+    if (found_.size() > k_) {
+      std::pop_heap(found_.begin(), found_.end(), comes_before);
+      found_.pop_back();
+    }
+    if (found_.size() == k_) cutoff_ = found_.front().gain;
   }
 
   // Those open arcs that a cover of cliques worth `budget` leaves over, fewest neighbours first.
@@ -268,8 +275,9 @@ class CliqueSearch {
   const CliqueLimits& limits_;
   const Units units_;
   const std::size_t k_;
-  Gain cutoff_;                        // the target at first
-  std::vector<Found> found_;           // greatest gain first
+  Gain cutoff_;               // the target at first
+  std::vector<Found> found_;  // a heap, the last on top
+  std::uint64_t num_found_ = 0;
   std::vector<std::uint32_t> number_;  // of the problem's arcs, fewest neighbours first
   std::vector<Set> neighbours_;
   std::vector<Gain> gain_;

@@ -68,6 +68,17 @@ TEST(CliqueSearch, ChoosesAlongAPath) {
   EXPECT_THAT(search(problem, 0).arcs, ElementsAre(1, 3));
 }
 
+// All subsets of arcs that exclude nothing and gain nothing: going through a list of them for each
+// would end in no time that a test has.
+TEST(CliqueRanking, ListsVeryManyOfOneGain) {
+  CliqueProblem problem;
+  for (std::uint32_t row = 0; row < 18; ++row) problem.add_arc(0, std::vector{row});
+  const CliqueRanking ranking = rank_cliques(problem, 1 << 18, -1, 1, {});
+  EXPECT_TRUE(ranking.complete);
+  ASSERT_EQ(ranking.packings.size(), std::size_t{1} << 18);
+  EXPECT_EQ(ranking.packings.front().gain, ranking.packings.back().gain);
+}
+
 TEST(CliqueSearch, StopsAtItsLimits) {
   CliqueLimits limits;
   limits.max_nodes = 1;
