@@ -133,8 +133,11 @@ bool LeafSearch::search_slack(const Master& master, double& cutoff) {
     work += found.work;
     work_ += found.work;
     fixing_ += found.fixing;
-    for (const std::vector<std::uint32_t>& packing : found.packings)
-      lower(master, core::make_packing(component_, core::at_positions(arcs, packing)), cutoff);
+    for (std::size_t n = 0; n < found.packings.size(); ++n) {
+      if (n > 0 && limits_.context.deadline.reached()) return false;
+      const std::vector<ArcId> packing = core::at_positions(arcs, found.packings[n]);
+      lower(master, core::make_packing(component_, packing), cutoff);
+    }
     if (found.complete) seen = budget;
     // Even a search that was cut short may have found what the one before it is enough for.
     const bool is_enough = limits_.ranks == nullptr && seen >= cutoff - slack.base();
@@ -206,8 +209,10 @@ bool LeafSearch::rank_cliques(const Master& master, double& cutoff) {
       bnb::rank_cliques(problem, limits_.ranks->k, target, 0, clique_limits());
   nodes_ += found.nodes;
   work_ += found.work;
-  for (const bnb::CliquePacking& packing : found.packings)
+  for (const bnb::CliquePacking& packing : found.packings) {
+    if (limits_.context.deadline.reached()) return false;
     lower(master, core::make_packing(component_, core::at_positions(arcs, packing.arcs)), cutoff);
+  }
   return found.complete;
 }
 

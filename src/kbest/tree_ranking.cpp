@@ -49,6 +49,10 @@ cutting::LeafFinds list_leaf(const bnb::SlackProblem& problem,
   const SlackRanking ranking = rank_slack(problem, budget, k, limits, names, combinations);
   cutting::LeafFinds finds{{}, ranking.complete, ranking.nodes, ranking.work, {}};
   for (const Ranked& ranked : ranking.packings) {
+    if (!finds.packings.empty() && limits.deadline.reached()) {
+      finds.complete = false;
+      break;
+    }
     std::vector<std::uint32_t>& arcs = finds.packings.emplace_back(combinations.arcs(ranked.arcs));
     std::sort(arcs.begin(), arcs.end());
   }

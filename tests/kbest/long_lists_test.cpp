@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <numeric>
 #include <set>
-#include <stop_token>
 #include <vector>
 
-#include "core/clock.hpp"
 #include "cost_checks.hpp"
+#include "counted_clock.hpp"
 #include "kbest/part.hpp"
 #include "kbest/ranker.hpp"
 #include "kbest/slack_view.hpp"
@@ -27,26 +25,6 @@ namespace {
 
 constexpr std::int64_t kAnyNodes = std::int64_t{1} << 40;
 
-// Counts who looks at it, and strikes at the look that `strikes` says.
-class Clock {
- public:
-  explicit Clock(std::function<bool(int looks)> strikes) : strikes_(std::move(strikes)) {}
-
-  const core::Deadline& deadline() const { return deadline_; }
-  int looks() const { return looks_; }
-
- private:
-  void look() {
-    if (strikes_(++looks_)) source_.request_stop();
-  }
-
-  std::function<bool(int)> strikes_;
-  int looks_ = 0;
-  std::stop_source source_;
-  const std::function<void()> heartbeat_ = [this] { look(); };
-  core::Deadline deadline_{kInfinity, source_.get_token(), &heartbeat_};
-};
-
 // No index may be left alone, and there are 10! * 10! solutions, of few costs.
 Problem square() {
   Map3Options map3;
@@ -60,7 +38,7 @@ void expect_end_with_the_clock(const Problem& problem, std::size_t planned, std:
   const Solution solution = solve(problem);
   ASSERT_TRUE(solution.proven);
   const std::unique_ptr<Ranker> ranker = make_ranker(problem, solution);
-  const Clock clock([&](int) { return ranker->listed().size() >= at_strike; });
+  const CountedClock clock([&](int) { return ranker->listed().size() >= at_strike; });
   EXPECT_FALSE(ranker->list(planned, planned, {kAnyNodes, clock.deadline()}));
   EXPECT_EQ(ranker->listed().size(), at_strike);
   EXPECT_TRUE(ranker->list(planned, planned, {kAnyNodes, {}}));
@@ -86,7 +64,7 @@ TEST(LongLists, AreLeftWithWhatAPassProved) {
   const Problem problem = square();
   const Solution solution = solve(problem);
   const std::unique_ptr<Ranker> ranker = make_ranker(problem, solution);
-  const Clock clock([&](int) { return ranker->listed().size() == 10000; });
+  const CountedClock clock([&](int) { return ranker->listed().size() == 10000; });
   EXPECT_FALSE(ranker->list(100000, 100000, {kAnyNodes, clock.deadline()}));
   ASSERT_EQ(ranker->listed().size(), 10000u);
   EXPECT_EQ(costs_of(ranker->listed()), costs_of(solve_k_best(problem, 10000).solutions));
@@ -110,7 +88,7 @@ TEST(LongLists, AreNotedUnderTheClock) {
   std::vector<core::ArcId> arcs(problem.num_arcs());
   std::iota(arcs.begin(), arcs.end(), 0u);
   const auto looks = [&](int at_strike) {
-    const Clock clock([&](int look) { return look == at_strike; });
+    const CountedClock clock([&](int look) { return look == at_strike; });
     Part part(core::Cutter().cut(problem, view.multipliers(), arcs), view, 1);
     Combinations combinations;
     bnb::SlackLimits limits;

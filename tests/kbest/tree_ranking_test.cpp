@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/random.hpp"
+#include "counted_clock.hpp"
 #include "kbest/nearby_packings.hpp"
 #include "support/components.hpp"
 
@@ -101,6 +102,32 @@ TEST(RankByTree, AgreesWithBruteForce) {
     }
   }
   EXPECT_GT(branched, 400);
+}
+
+// Wherever that happens: what claims to be complete is.
+TEST(RankByTree, SaysWhereTheClockStoppedIt) {
+  int stopped = 0;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    SCOPED_TRACE(seed);
+    const Instance instance = random_instance(seed);
+    const std::vector<double> all = all_slacks(instance);
+    if (all.empty() || all.size() > 60) continue;
+    bool has_struck = true;
+    for (int strike = 1; has_struck; strike += 1 + strike / 8) {
+      const CountedClock clock([&](int look) { return look == strike; });
+      bnb::SlackLimits limits;
+      limits.deadline = clock.deadline();
+      PackingBuffer known(all.size());
+      const TreeRanking tree =
+          rank_by_tree(instance.component, instance.slack, 1e3, 0, limits, known);
+      has_struck = clock.has_struck();
+      stopped += !tree.complete;
+      if (tree.complete) {
+        EXPECT_EQ(known.size(), all.size());
+      }
+    }
+  }
+  EXPECT_GT(stopped, 100);
 }
 
 TEST(RankByTree, SaysWhereALimitStoppedIt) {
