@@ -80,6 +80,49 @@ TEST(LongLists, CountTheirMemory) {
   EXPECT_GT(solution.stats.peak_memory_bytes, bytes);
 }
 
+// At any look: what is listed by then is the beginning of the list, what else is at hand is not of
+// it, and the rest follows when there is time.
+void expect_right_wherever_the_clock_strikes(const Problem& problem, std::size_t k, int& struck) {
+  const Solution solution = solve(problem);
+  if (!solution.proven) return;
+  const std::vector<double> costs = costs_of(solve_k_best(problem, k).solutions);
+  bool has_struck = true;
+  for (int strike = 1; has_struck; strike += 1 + strike / 8) {
+    SCOPED_TRACE(strike);
+    const std::unique_ptr<Ranker> ranker = make_ranker(problem, solution);
+    const CountedClock clock([&](int look) { return look == strike; });
+    const bool is_whole = ranker->list(k, k, {kAnyNodes, clock.deadline()});
+    has_struck = clock.has_struck();
+    struck += !is_whole;
+    ASSERT_TRUE(has_struck || is_whole);
+    ASSERT_TRUE(!ranker->has_all() || ranker->listed().size() == costs.size());
+    std::set<std::vector<std::vector<Index>>> different;
+    for (std::size_t r = 0; r < std::min(k, ranker->listed().size()); ++r)
+      ASSERT_NEAR(ranker->listed()[r].cost, costs[r], cost_tolerance(problem));
+    for (const RankedSolution& ranked : ranker->listed())
+      ASSERT_TRUE(different.insert(ranked.arcs).second);
+    for (const RankedSolution& ranked : ranker->unlisted(0, 5, clock.deadline()))
+      ASSERT_TRUE(different.insert(ranked.arcs).second);
+    ASSERT_TRUE(ranker->list(k, k, {kAnyNodes, {}}));
+    ASSERT_GE(ranker->listed().size(), costs.size());
+    for (std::size_t r = 0; r < costs.size(); ++r)
+      ASSERT_NEAR(ranker->listed()[r].cost, costs[r], cost_tolerance(problem));
+  }
+}
+
+TEST(LongLists, AreRightWhereverTheClockStrikes) {
+  int struck = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const support::RandomCase random = support::random_case(seed);
+    SCOPED_TRACE(random.description);
+    expect_right_wherever_the_clock_strikes(random.problem, 40, struck);
+    const support::RandomCase bounded = support::random_bounded_case(seed);
+    SCOPED_TRACE(bounded.description);
+    expect_right_wherever_the_clock_strikes(bounded.problem, 40, struck);
+  }
+  EXPECT_GT(struck, 500);
+}
+
 // A search that nodes stop has thousands to note: the clock is looked at all the while.
 TEST(LongLists, AreNotedUnderTheClock) {
   const Problem problem = square();
