@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <new>
 #include <vector>
@@ -26,6 +27,11 @@ class Combinations {
   /// The arcs, in no particular order.  Cost: their number.
   std::vector<std::uint32_t> arcs(Combination combination) const;
 
+  /// How many there are, kNothing among them.
+  std::size_t size() const { return pairs_.size(); }
+  /// Forgets all but the first so many, of which no other is a part.
+  void keep_first(std::size_t count) { pairs_.resize(count); }
+
  private:
   struct Pair {
     std::uint32_t first;  // of a leaf: the arc
@@ -34,7 +40,7 @@ class Combinations {
   static constexpr std::uint32_t kLeaf = ~std::uint32_t{0};
 
   Combination add(Pair pair) {
-    if (pairs_.size() > kLeaf) throw std::bad_alloc();
+    if (pairs_.size() >= kLeaf) throw std::bad_alloc();
     pairs_.push_back(pair);
     return static_cast<Combination>(pairs_.size() - 1);
   }

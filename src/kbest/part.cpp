@@ -127,11 +127,12 @@ struct Part::Run {
   const bnb::SlackLimits& limits;
   Combinations& combinations;
   std::int64_t& nodes;
-  std::int64_t nodes_before;  // its limit counts from here
-  double work = 0;            // of all searches
-  double work_at_nearby = 0;  // when it looked nearby last
-  double within = -1;         // of the last search that was complete
-  bool has_begun = false;     // with what is known
+  std::int64_t nodes_before;     // its limit counts from here
+  std::size_t num_combinations;  // of which lists are made; what a search adds in vain goes again
+  double work = 0;               // of all searches
+  double work_at_nearby = 0;     // when it looked nearby last
+  double within = -1;            // of the last search that was complete
+  bool has_begun = false;        // with what is known
 
   bool is_done() const { return within >= reach; }
   std::int64_t nodes_left() const { return limits.max_nodes - (nodes - nodes_before); }
@@ -150,7 +151,7 @@ bool Part::rank(double reach,
                 Combinations& combinations,
                 std::int64_t& nodes) {
   if (is_ranked(reach, k)) return true;
-  Run run{reach, k, limits, combinations, nodes, nodes};
+  Run run{reach, k, limits, combinations, nodes, nodes, combinations.size()};
   // Where the best solution has more slack than there is reach, a tighter one pays soon.
   const auto num_arcs = static_cast<double>(component_.num_arcs());
   const double trial =
@@ -191,12 +192,14 @@ bool Part::take(Run& run, Found found, double within) {
   if (!found.complete) {
     if (!std::exchange(run.has_begun, true)) begin(run);
     know_all(found.list, run);
+    run.combinations.keep_first(run.num_combinations);
     return false;
   }
   run.within = within;
   listed_k_ = run.k;
   reached_ = found.reached;
   list_ = std::move(found.list);
+  run.num_combinations = run.combinations.size();
   return true;
 }
 
@@ -255,11 +258,17 @@ void Part::settle(Run& run) {
   for (const PackingBuffer::Kept& packing : known_->packings()) {
     if (list_.size() >= run.k || packing.cost - first_.least > settled()) break;
     if (list_.size() >= kKnownAtOnce && run.limits.deadline.reached()) break;
+    const std::size_t before = run.combinations.size();
     const Ranked next = listed(packing, run.combinations);
-    if (is_listed.insert(ascending(run.combinations.arcs(next.arcs))).second) list_.push_back(next);
+    if (is_listed.insert(ascending(run.combinations.arcs(next.arcs))).second) {
+      list_.push_back(next);
+    } else {
+      run.combinations.keep_first(before);
+    }
   }
   std::ranges::stable_sort(list_, {}, &Ranked::slack);
   listed_k_ = std::max(listed_k_, run.k);
+  run.num_combinations = run.combinations.size();
 }
 
 // What is known, as lists have it.

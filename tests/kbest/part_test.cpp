@@ -129,6 +129,23 @@ TEST(Part, FindsTheSameInEveryWay) {
   }
 }
 
+// Whoever asks again and again, with little time, does not run out of memory.
+TEST(Part, KeepsNothingOfSearchesThatWereStopped) {
+  const Problem problem = generate_map3({}).problem;
+  const Solution solution = solve(problem);
+  const SlackView view(problem, solution, {});
+  Part part = whole(problem, view, {});
+  Combinations combinations;
+  bnb::SlackLimits limits;
+  limits.max_nodes = 3000;
+  for (int time = 0; time < 5; ++time) {
+    std::int64_t nodes = 0;
+    EXPECT_FALSE(part.rank(1e3, 10000, limits, combinations, nodes));
+    EXPECT_GT(nodes, 1000);
+    EXPECT_EQ(combinations.size(), 1u);
+  }
+}
+
 TEST(Part, StopsAtItsLimits) {
   const Problem problem = generate_map3({}).problem;
   const Solution solution = solve(problem);
