@@ -1,7 +1,6 @@
 #include "nda/k_best.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <iterator>
 #include <memory>
 #include <utility>

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include "kbest/ranker.hpp"

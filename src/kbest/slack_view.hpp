@@ -28,7 +28,6 @@ class SlackView {
   double reduced(core::ArcId a) const { return reduced_[a]; }
   /// Of leaving an index alone, beyond its multiplier; +inf where that is forbidden.
   double price(std::size_t slot) const { return price_[slot]; }
-  std::size_t num_slots() const { return price_.size(); }
   std::size_t slot(std::size_t k, Index i) const { return offset_[k] + i; }
   /// Arcs of the best solution.
   const std::vector<core::ArcId>& best() const { return best_; }

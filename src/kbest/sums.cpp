@@ -1,7 +1,6 @@
 #include "kbest/sums.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <tuple>
 #include <utility>
 

@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <optional>
 #include <queue>
-#include <span>
 #include <vector>
 
 #include "kbest/combinations.hpp"

@@ -1,7 +1,6 @@
 #include "kbest/tree_ranking.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <vector>
 
