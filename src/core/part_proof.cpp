@@ -370,7 +370,7 @@ class PartProof {
     const double value = price(step.point);
     if (value >= step.threshold) return step.threshold;
     const double budget = std::nextafter(step.threshold - value, kInfinity);
-    if (!is_searchable(budget)) return value;
+    if (!std::isfinite(budget)) return value;
     try {
       const double rise =
           least_rise(search_task(step.point, budget), budget, work_, kMostSearchWork);

@@ -5,8 +5,8 @@
 #include <utility>
 
 // The checker's own search.  It reckons in integers: units so small that the budget is 2^48 of
-// them, every cost rounded down.  So nothing is rounded on the way, and the sum of what was lost is
-// on the safe side.
+// them (no smaller than the least double), every cost rounded down.  So nothing is rounded on the
+// way, and the sum of what was lost is on the safe side.
 //
 // The search is that of bnb/slack_search.cpp, written a second time: it must not take much longer.
 // Its tricks lose nothing.  A row that the arcs left cannot fill pays for the rest.  Lowering the
@@ -20,6 +20,7 @@ namespace {
 using Units = std::int64_t;
 
 constexpr int kBudgetExponent = 48;
+constexpr double kLeastUnit = std::numeric_limits<double>::denorm_min();
 constexpr int kLongestPause = 3;
 constexpr std::ptrdiff_t kFewForced = 16;
 constexpr std::size_t kMostHeld = 200'000'000;  // arcs in all states at once
@@ -49,7 +50,7 @@ class ProofSearch {
       : task_(task),
         work_(work),
         most_work_(most_work),
-        unit_(std::ldexp(1.0, std::ilogb(budget) - kBudgetExponent)),
+        unit_(std::max(kLeastUnit, std::ldexp(1.0, std::ilogb(budget) - kBudgetExponent))),
         limit_(static_cast<Units>(std::ceil(budget / unit_))),
         arcs_of_(task.rows.size()),
         filled_(task.rows.size(), 0),
@@ -366,10 +367,6 @@ class ProofSearch {
 };
 
 }  // namespace
-
-bool is_searchable(double budget) {
-  return std::isfinite(budget) && std::ldexp(budget, -2 * kBudgetExponent) > 0;
-}
 
 double least_rise(const SearchTask& task, double budget, double& work, double most_work) {
   return std::min(budget, ProofSearch(task, budget, work, most_work).run());

@@ -28,12 +28,9 @@ struct SearchTask {
   std::vector<std::vector<SearchEntry>> entries;  ///< [arc]
 };
 
-/// A budget that can be reckoned with: finite, positive, not next to the least double.
-bool is_searchable(double budget);
-
 /// The least cost of a choice of arcs that share no index, or `budget` if none costs less: rounded
 /// down.
-/// @param budget  searchable.
+/// @param budget  finite, > 0.
 /// @param work    counted up by the rows and entries looked at; throws ProofFault beyond
 ///                `most_work`, or where the search is too deep for the stack or too wide for
 ///                memory.

@@ -11,6 +11,7 @@
 #include "nda/solve.hpp"
 #include "solve/proven_problems.hpp"
 #include "support/random_problems.hpp"
+#include "support/rebuilt.hpp"
 #include "support/tiny_problems.hpp"
 
 namespace nda {
@@ -172,6 +173,28 @@ TEST(Proof, HoldsWhereSingletonsCostMuchMoreThanArcsSave) {
     EXPECT_EQ(solution.cost, 3 * alone - 7);
     EXPECT_NEAR(check_proof(problem, *solution.proof).lower_bound, solution.cost, 1e-12 * alone);
   }
+}
+
+// Costs of 1e-280 and less: units of searches cannot be as small as they should.
+TEST(Proof, HoldsForCostsNextToTheLeastDouble) {
+  int num_branched = 0;
+  for (std::uint64_t seed = 0; seed < 1500; ++seed) {
+    const support::RandomCase test = support::random_case(seed);
+    SCOPED_TRACE(test.description);
+    const int exponent = -940 - static_cast<int>(seed % 50);
+    const Problem problem = support::rebuilt(
+        test.problem, support::sizes_of(test.problem), [&](support::Tuple&, double& cost) {
+          cost = std::ldexp(cost, exponent);
+        });
+    for (const Options& options : {plain(), branching()}) {
+      const Solution solution = solve(problem, options);
+      if (!solution.proof) continue;
+      const CheckReport report = check(problem, solution, *solution.proof);
+      ASSERT_TRUE(report.passed()) << report.faults.front() << ", times 2^" << exponent;
+      num_branched += solution.stats.bound_by_branching;
+    }
+  }
+  EXPECT_GT(num_branched, 50);
 }
 
 TEST(Proof, ShowsWhatIsKnownWhenALimitStrikes) {
