@@ -167,7 +167,8 @@ bool Search::solve_root() {
 }
 
 // Takes the multipliers where they prove more, and adds arcs of negative reduced cost, the lowest
-// first; false when there are none.
+// first; false, and none added, when there are none or nothing better is left: round() reads the
+// point of the linear program, which has to know all its arcs.
 bool Search::price() {
   std::vector<double> u = program_.multipliers();
   const auto reduced = [&](ArcId a) { return core::reduced_cost(component_.graph, u, a); };
@@ -182,8 +183,9 @@ bool Search::price() {
     result_.u = std::move(u);
     raise(bound);
   }
+  if (is_closed()) return false;
   program_.add_arcs(added);
-  return !added.empty() && !is_closed();
+  return !added.empty();
 }
 
 // Cuts at the root, as long as they raise the bound; false at the deadline.
