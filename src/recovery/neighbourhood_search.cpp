@@ -8,9 +8,9 @@
 // first, and shrinks when they are not (adaptive as in Pisinger & Ropke 2010).  Neighbourhoods that
 // found no more arcs to take out say nothing of larger ones.
 //
-// A detour may cost no more than the neighbourhood's share of the gap.  A tenth of the whole gap,
-// which is right over dozens of indices, lets each of thousands of small neighbourhoods lead away
-// from a good packing by more than all of them together can gain.
+// A detour may cost no more than the neighbourhood's share of the gap, which is that of its
+// indices.  A tenth of the whole gap, which is right over dozens of indices, lets each of thousands
+// of small neighbourhoods lead away from a good packing by more than all of them together can gain.
 //
 // Neighbourhoods that are searched at once all start from the same packing.  They are filled one
 // after the other, and what no longer fits is forgotten.  Where that happens fewer are searched at
@@ -54,7 +54,9 @@ void NeighbourhoodSearch::list_arcs() {
       return ra != rb ? ra < rb : a < b;
     });
     if (!arcs.empty()) inner_.push_back(index);
+    arc_share_ += static_cast<double>(arcs.size());
   }
+  arc_share_ /= static_cast<double>(std::max<std::size_t>(1, problem_.num_arcs() * inner_.size()));
 }
 
 double NeighbourhoodSearch::improve(std::vector<std::uint32_t>& best,
@@ -75,10 +77,10 @@ double NeighbourhoodSearch::improve(std::vector<std::uint32_t>& best,
     const double affordable = 1 + (limits.max_work - work) / kWorkPerAttempt;  // perhaps infinite
     const auto count = static_cast<std::size_t>(std::min(static_cast<double>(at_once), affordable));
     while (neighbourhoods_.size() < count) neighbourhoods_.emplace_back(problem_, arcs_, state_);
-    const double share = std::min(kMostDetour, size / static_cast<double>(inner_.size()));
+    const double most_rise = std::min(kMostDetour, size * arc_share_) * gap;
     for (std::size_t n = 0; n < count; ++n)
       neighbourhoods_[n].choose(
-          choose_seed(random), static_cast<std::size_t>(size), share * gap, random);
+          choose_seed(random), static_cast<std::size_t>(size), most_rise, random);
     limits.for_all(count,
                    [&](std::size_t n) { neighbourhoods_[n].search(limits.most_reduced, search); });
     bool met = false;

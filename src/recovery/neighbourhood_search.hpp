@@ -47,6 +47,7 @@ class NeighbourhoodSearch {
   const bnb::SlackProblem& problem_;
   core::Lists<std::uint32_t> arcs_;   // of indices, by reduced cost
   std::vector<std::uint32_t> inner_;  // indices with arcs
+  double arc_share_ = 0;              // of these, that an arc covers on average
   SlackPacking state_;
   std::vector<Neighbourhood> neighbourhoods_;  // that are searched at once
 };
