@@ -240,7 +240,7 @@ std::vector<RankedSolution> BoundedRanker::unlisted(std::size_t skipped,
   if (!look(deadline)) return found;
   ArcSets seen;
   const auto add = [&](std::vector<ArcId> arcs) {
-    if (found.size() >= kFewNeighbours && deadline.reached()) return false;
+    if (found.size() >= skipped + kFewNeighbours && deadline.reached()) return false;
     if (known_.count(arcs) > 0) return true;
     const auto [place, is_new] = seen.insert(std::move(arcs));
     if (is_new) found.push_back(solution_of(*place));

@@ -29,7 +29,7 @@ class Combinations {
 
   /// How many there are, kNothing among them.
   std::size_t size() const { return pairs_.size(); }
-  /// Forgets all but the first so many, of which no other is a part.
+  /// Forgets all but the first so many; nobody may hold one of the others any more.
   void keep_first(std::size_t count) { pairs_.resize(count); }
 
  private:

@@ -14,8 +14,8 @@ namespace nda::kbest {
 /// So many of a list are handed on whatever the clock says.
 inline constexpr std::size_t kFewPackings = 10;
 
-/// The solution buffer of partial branch and bound: the k best packings ever found, no two the
-/// same; of equal cost those found first.
+/// The k best packings ever found, no two the same; of equal cost those found first: the solution
+/// buffer of partial branch and bound, and what every ranking knows.
 class PackingBuffer {
  public:
   struct Kept {

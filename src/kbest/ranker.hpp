@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "core/clock.hpp"
@@ -30,7 +31,7 @@ class Ranker {
   /// Each is proven: no other choice of so many is better.  All different; costs ascend but for
   /// rounding.  The first is that of the solution.
   const std::vector<RankedSolution>& listed() const { return listed_; }
-  /// The same, when it has no more to do.
+  /// The same, when it has no more to do: nothing is listed after that.
   std::vector<RankedSolution> take() { return std::move(listed_); }
   /// There are no others.
   bool has_all() const { return has_all_; }

@@ -61,7 +61,7 @@ class ManyToOne {
     const double gap = allowed_gap();
     const double share = parts_.empty() ? 0 : gap / static_cast<double>(parts_.size());
     for_all_parts([&](BoundedPart& part) { part.finish(share); });
-    if (missed_gap()) solve_rest(with_limit(deadline_.remaining_s()));
+    if (wants_more()) solve_rest(with_limit(deadline_.remaining_s()));
     return merge();
   }
 
@@ -123,7 +123,9 @@ class ManyToOne {
 
   void solve_rest(const Options& options) {
     Solution solved = solve_once_(*split_.rest, options, warm_);
-    if (rest_ && solved.lower_bound <= rest_->lower_bound && solved.cost >= rest_->cost) return;
+    const bool is_better =
+        !rest_ || solved.lower_bound > rest_->lower_bound || solved.cost < rest_->cost;
+    if (!is_better && !solved.proven) return;
     rest_ = std::move(solved);
     Progress now;
     now.cost = rest_->cost;
@@ -162,9 +164,10 @@ class ManyToOne {
     return std::max(0.0, options_.relative_gap * least - (rest_->cost - rest_->lower_bound));
   }
 
-  // The rest met the gap by itself, but the whole does not.
-  bool missed_gap() const {
-    if (options_.relative_gap == 0 || rest_->proven || deadline_.reached()) return false;
+  // The rest met the gap by itself, but the whole does not; or its share of the time was too short.
+  bool wants_more() const {
+    if (rest_->proven || deadline_.reached()) return false;
+    if (options_.relative_gap == 0) return rest_->status == Status::kTimeLimit;
     const double cost = total(true);
     return !(cost - total(false) <= options_.relative_gap * std::abs(cost));
   }

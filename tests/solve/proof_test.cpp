@@ -176,7 +176,7 @@ TEST(Proof, HoldsWhereSingletonsCostMuchMoreThanArcsSave) {
 }
 
 // Costs of 1e-280 and less: units of searches cannot be as small as they should.
-TEST(Proof, HoldsForCostsNextToTheLeastDouble) {
+TEST(Proof, HoldsForTinyCosts) {
   int num_branched = 0;
   for (std::uint64_t seed = 0; seed < 1500; ++seed) {
     const support::RandomCase test = support::random_case(seed);
