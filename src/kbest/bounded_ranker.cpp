@@ -35,10 +35,10 @@ using core::ArcId;
 
 namespace {
 
-constexpr std::size_t kFirstPass = 10;      // ranks that the first pass is for, or more
-constexpr std::size_t kFewNeighbours = 10;  // that are made whatever the clock says
-constexpr std::size_t kFewSums = 100;       // the same
-constexpr std::size_t kPassGrowth = 4;      // from pass to pass, at most
+constexpr std::size_t kFirstPass = 10;  // ranks that the first pass is for, or more
+constexpr std::size_t kPassGrowth = 4;  // from pass to pass, at most
+// Sums, and neighbours where a search in a part starts, that are made whatever the clock says.
+constexpr std::size_t kFewSums = 100;
 
 // The arcs that no bound of 0 forbids.
 std::vector<ArcId> usable_arcs(const Problem& problem) {

@@ -17,6 +17,9 @@ struct RankLimits {
   core::Deadline deadline;
 };
 
+/// Ranker::unlisted() makes so many whatever the clock says, if it has time to begin.
+inline constexpr std::size_t kFewNeighbours = 10;
+
 /// The solutions of a problem, best first, as many as are asked for.  It goes on where it stopped,
 /// also where a limit struck.
 class Ranker {

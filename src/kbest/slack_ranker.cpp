@@ -48,12 +48,11 @@ using core::ArcId;
 
 namespace {
 
-constexpr std::size_t kFirstPass = 10000;   // ranks that the first pass is for, or more
-constexpr std::size_t kPassGrowth = 10;     // from pass to pass, at most
-constexpr std::size_t kFewNeighbours = 10;  // that are made whatever the clock says
-constexpr double kGrowth = 1.5;             // of the number of neighbours within reach
-constexpr double kBlindGrowth = 2;          // of the reach, where neighbours say nothing
-constexpr double kLeastGrowth = 1.25;       // beyond the reach from where on there may be more
+constexpr std::size_t kFirstPass = 10000;  // ranks that the first pass is for, or more
+constexpr std::size_t kPassGrowth = 10;    // from pass to pass, at most
+constexpr double kGrowth = 1.5;            // of the number of neighbours within reach
+constexpr double kBlindGrowth = 2;         // of the reach, where neighbours say nothing
+constexpr double kLeastGrowth = 1.25;      // beyond the reach from where on there may be more
 constexpr std::size_t kSortedBetweenLooks = 4096;
 
 // As many neighbours as have k combinations, if no two exclude each other, and as many again.
